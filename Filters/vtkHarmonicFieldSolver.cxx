@@ -14,7 +14,7 @@
 #include "Discretisations/MakeDiscretisation.h"
 #include "Mesh/TriangleSoup.h"
 #ifdef DMG_PETSC
-#include "Adapters/Output/OutputOfPieces.h"
+#include "Adapters/Input/FieldOfPieces.h"
 #endif
 
 #include "PropertiesOfSolver.h"
@@ -78,6 +78,7 @@ public:
   std::string Followed;
 #ifdef DMG_PETSC
   dmg::SolverOfPieces Pieces;
+  dmg::FieldOutput OutputOfPieces;
 #endif
 
 private:
@@ -263,9 +264,6 @@ int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* 
 int vtkHarmonicFieldSolver::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
-  vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
-  vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     // Properties out of range are told before anything is read.
@@ -276,7 +274,6 @@ int vtkHarmonicFieldSolver::RequestData(
     const std::string digest = dmg::ContentDigest(input, preparation);
     vtkInternals::Leaf& leaf = this->Internals->Of(digest);
     dmg::SolverOfSurface& kept = leaf.Solver;
-    dmg::FieldOutput& shown = leaf.Output;
     const dmg::FieldInputs inputs = dmg::InputsOf(properties, input, whole);
     if (!inputs.Singularities.Data.empty())
     {
@@ -312,23 +309,9 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       vtkWarningMacro(<< dmg::InPanelWords(text));
     }
-    shown.MakeArrays(kept, field, input, dmg::PartOfContext(context, 0.95, 1.0));
-
-    output->ShallowCopy(input);
-    shown.AddArraysTo(kept, field, output, edges);
-    dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
-    dmg::MakeConvergenceTable(field.Report, convergence);
     this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
-    for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
-    {
-      dmg::RemoveReport(data);
-      dmg::AddFollowed(this->Internals->Followed, data);
-      shown.AddReportTo(kept, field, data);
-      if (!inputs.Guides.Data.empty())
-      {
-        dmg::AddGuidesReport(field.Guides, data);
-      }
-    }
+    leaf.Output.Write(kept, field, inputs, preparation, this->Internals->Followed, outputVector,
+      dmg::PartOfContext(context, 0.95, 1.0));
   };
   const auto makeInPieces = [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces,
                               const dmg::ExecutionContext& context) -> std::string
@@ -336,8 +319,20 @@ int vtkHarmonicFieldSolver::RequestData(
 #ifdef DMG_PETSC
     dmg::FieldProperties properties;
     ranks.Together([&] { properties = dmg::PropertiesOf(this, this->Internals->GuideChoices); });
-    return dmg::SolveInPieces(
-      this, properties, this->Internals->Pieces, ranks, pieces, outputVector, this->Internals->Followed, context);
+    dmg::SolverOfPieces& kept = this->Internals->Pieces;
+    const dmg::FieldOfPieces field =
+      dmg::SolveInPieces(this, properties, kept, ranks, pieces, dmg::PartOfContext(context, 0.0, 0.95));
+    if (field.ReasonToGather.empty())
+    {
+      this->Internals->Followed = field.Followed;
+      ranks.Together(
+        [&]
+        {
+          this->Internals->OutputOfPieces.Write(kept, *field.Solution, field.Inputs, properties.Preparation,
+            field.Followed, outputVector, dmg::PartOfContext(context, 0.95, 1.0));
+        });
+    }
+    return field.ReasonToGather;
 #else
     (void)ranks, (void)pieces, (void)context;
     return "the filters were built without DMG_PETSC, by which power fields at points and functions stay in pieces";

@@ -66,20 +66,22 @@ std::string WarningOfCancelling(const CancellingFaces& faces)
 
 }
 
-FollowedConstraints ProblemConstraints::Follow(
-  const FieldProblem& problem, int N, const ExecutionContext& context, const ElementNames& names)
+FollowedConstraints ProblemConstraints::Follow(const FieldProblem& problem, const Discretisation& discretisation,
+  const ExecutionContext& context, const ElementNames& names)
 {
   FollowedConstraints followed{ problem.Constraints, {}, {} };
   if (problem.SmoothingLength != 0.0)
   {
     CheckSmoothingLength(problem.SmoothingLength);
-    WeighByLength(problem.SmoothingLength * this->Sizes().Diagonal(), this->WeightsOfIntegral(), followed.Constraints);
+    WeighByLength(problem.SmoothingLength * this->Sizes().Diagonal(), this->WeightsOfIntegral(discretisation),
+      followed.Constraints);
   }
   this->AddGuides(problem, followed, context);
   if (!problem.Options.Field.HasDirections())
   {
     return followed;
   }
+  const int N = discretisation.DirectionsPerPoint();
   const std::size_t warnings = followed.Warnings.size();
   this->AddFeatures(problem, N, followed, context);
   const bool isNothingSaid = followed.Warnings.size() == warnings; // else it is said why nothing is followed
@@ -145,13 +147,6 @@ void ProblemConstraints::Rotate(
     return;
   }
   this->Turn(followed.Constraints, problem.Rotation, names);
-}
-
-FollowedConstraints ConstraintsOnMesh::Follow(const FieldProblem& problem, const Discretisation& discretisation,
-  const ExecutionContext& context, const ElementNames& names)
-{
-  this->Unknowns = &discretisation;
-  return this->ProblemConstraints::Follow(problem, discretisation.DirectionsPerPoint(), context, names);
 }
 
 const NearestPlaces& ConstraintsOnMesh::Places()

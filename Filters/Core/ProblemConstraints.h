@@ -39,15 +39,15 @@ class ProblemConstraints
 public:
   virtual ~ProblemConstraints() = default;
 
-  /// \param N the number of directions of the field.
+  /// \param discretisation that problem.Options names.
   /// \param names says how messages call vertices and faces.
   /// \throw InvalidInput a guide or feature is wrong, or guides are given and none of them is near.
-  FollowedConstraints Follow(
-    const FieldProblem& problem, int N, const ExecutionContext& context, const ElementNames& names);
+  FollowedConstraints Follow(const FieldProblem& problem, const Discretisation& discretisation,
+    const ExecutionContext& context, const ElementNames& names);
 
 protected:
   virtual SurfaceSizes Sizes() = 0;
-  virtual Discretisation::IntegralWeights WeightsOfIntegral() = 0;
+  virtual Discretisation::IntegralWeights WeightsOfIntegral(const Discretisation& discretisation) = 0;
   virtual FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) = 0;
   virtual FollowedFeatures DirectionsOfFeatures(
     const FeatureOptions& options, int N, const ExecutionContext& context) = 0;
@@ -73,16 +73,15 @@ public:
   {
   }
 
-  /// \param discretisation that problem.Options names; borrowed until the next call.
-  FollowedConstraints Follow(const FieldProblem& problem, const Discretisation& discretisation,
-    const ExecutionContext& context, const ElementNames& names);
-
   /// The search for nearest places, made at the first call.
   const NearestPlaces& Places();
 
 protected:
   SurfaceSizes Sizes() override;
-  Discretisation::IntegralWeights WeightsOfIntegral() override { return this->Unknowns->WeightsOfIntegral(); }
+  Discretisation::IntegralWeights WeightsOfIntegral(const Discretisation& discretisation) override
+  {
+    return discretisation.WeightsOfIntegral();
+  }
   FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
   FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
   void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
@@ -92,7 +91,6 @@ private:
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   const FramedMesh& Surface;
-  const Discretisation* Unknowns = nullptr;
   std::unique_ptr<NearestPlaces> PlacesOfSurface;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
 };

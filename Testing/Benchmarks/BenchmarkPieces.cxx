@@ -6,7 +6,7 @@
 /// ranks, each of which keeps a part of Morton's curve. One line per surface, of the slowest rank and of the largest.
 
 #include "Mesh/SpatialOrder.h"
-#include "Pieces/PieceFieldSolver.h"
+#include "Pieces/FieldSolverInPieces.h"
 #include "Support/ReadPly.h"
 #include "Support/Stopwatch.h"
 
@@ -113,25 +113,24 @@ void Run(const std::string& surface)
   const SurfacePiece piece = PieceOf(surface, ranks);
   const double faces = static_cast<double>(piece.Corners.rows());
   const Stopwatch watch;
-  PieceFieldSolver solver(MPI_COMM_WORLD, piece, {});
-  const double setup = watch.Seconds();
-  const double peakOfSetup = ranks.Max(PeakMemory() - before);
-  Constraints constraints;
+  FieldSolverInPieces solver(MPI_COMM_WORLD, piece);
+  const double surfaceSeconds = watch.Seconds();
+  FieldProblem problem;
+  problem.Stop = { 1e-8, 100 };
   const int step = std::max(1, solver.Piece().NumberOfOwnFaces() * ranks.Size() / 20); // 20 constraints
   for (int face = step / 2; face < solver.Piece().NumberOfOwnFaces(); face += step)
   {
-    constraints.OnFaces.push_back(
+    problem.Constraints.OnFaces.push_back(
       { face, solver.Piece().Surface().Faces.X.row(solver.Piece().FirstOwnFace() + face).transpose(), 1.0 });
   }
-  const PieceField field = solver.Solve(constraints, {}, { 1e-8, 100 });
-  const double solved = watch.Seconds();
-  const double peakOfSolve = ranks.Max(PeakMemory() - before);
-  const Field directions = solver.Directions(field);
-  const double all = ranks.Max(watch.Seconds());
+  const Field& field = solver.Solve(problem);
+  const double end = watch.Seconds();
+  const double all = ranks.Max(end);
+  const double setup = surfaceSeconds + field.Solution->SetupSeconds;
   const double slowestSetup = ranks.Max(setup);
   const double prepare = ranks.Max(field.Report.PrepareSeconds);
   const double solve = ranks.Max(field.Report.SolveSeconds);
-  const double drawing = ranks.Max(watch.Seconds() - solved);
+  const double drawing = ranks.Max(end - setup - field.Report.PrepareSeconds - field.Report.SolveSeconds);
   const double peak = ranks.Max(PeakMemory() - before);
   const double total = ranks.Sum(faces);
   const double sent = ranks.Sum(static_cast<double>(ranks.BytesSent() + solver.Piece().Everyone().BytesSent()));
@@ -139,12 +138,10 @@ void Run(const std::string& surface)
   {
     std::printf(
       "%s, %d ranks, %.0f triangles: set-up %.2f s, system %.2f s, solve %.2f s, directions %.2f s, all %.2f s; "
-      "%d iterations, %d levels; peak of the largest rank until set-up %.0f MB, solve %.0f MB, end %.0f MB, %.0f bytes "
-      "per own triangle; "
+      "%d iterations, %d levels; peak of the largest rank %.0f MB, %.0f bytes per own triangle; "
       "sent %.2f MB besides PETSc's\n",
       surface.c_str(), ranks.Size(), total, slowestSetup, prepare, solve, drawing, all, field.Report.Returned,
-      static_cast<int>(field.Report.Levels.size()), peakOfSetup / 1e6, peakOfSolve / 1e6, peak / 1e6,
-      peak * ranks.Size() / total, sent / 1e6);
+      static_cast<int>(field.Report.Levels.size()), peak / 1e6, peak * ranks.Size() / total, sent / 1e6);
   }
 }
 

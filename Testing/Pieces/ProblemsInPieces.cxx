@@ -1,5 +1,7 @@
 #include "ProblemsInPieces.h"
 
+#include "Support/ComplexPairs.h"
+
 #include <vector>
 
 namespace dmg::test
@@ -50,6 +52,13 @@ dmg::FieldProblem OfPiece(const dmg::FieldProblem& whole, const CutPiece& cut, c
   here.Rotation.Faces = choose(whole.Rotation.Faces, cut.Triangles);
   here.Rotation.Vertices = choose(whole.Rotation.Vertices, cut.Points);
   return here;
+}
+
+Vector<Complex> UnknownsOf(const dmg::Field& field)
+{
+  const Vector<double>& unknowns = field.Solution->Unknowns;
+  return field.Solution->Discretisation->UnknownsPerElement() == 1 ? Vector<Complex>(unknowns.cast<Complex>())
+                                                                   : Vector<Complex>(AsComplex(unknowns));
 }
 
 }

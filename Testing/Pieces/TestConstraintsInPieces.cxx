@@ -109,7 +109,9 @@ void Check(const test::Surface& given, FieldProblem problem, const test::NamedPa
 
   const PieceOfSurface piece(ranks, cut.Piece, {}, SerialContext());
   ConstraintsInPieces constraints(piece);
-  const FollowedConstraints here = constraints.Follow(test::OfPiece(problem, cut, surface), SerialContext(), {});
+  const auto ofPiece = MakeDiscretisation(problem.Options.Field, piece.Surface(), &piece.Connection());
+  const FollowedConstraints here =
+    constraints.Follow(test::OfPiece(problem, cut, surface), *ofPiece, SerialContext(), {});
   CheckDirections(here.Constraints.OnFaces, expected.Constraints.OnFaces, cut);
   CheckReports(here.Guides, expected.Guides, SizesOf(whole.Mesh).Diagonal());
   EXPECT_EQ(here.Warnings.size(), expected.Warnings.size());
@@ -169,7 +171,7 @@ Guides SomeGuides(const TriangleMesh& mesh, double offset, unsigned seed)
 
 }
 
-TEST(TestConstraintsInPieces, GuidesAsOnOneProcess)
+TEST(ConstraintsInPieces, GuidesAsOnOneProcess)
 {
   struct Distances
   {
@@ -193,7 +195,7 @@ TEST(TestConstraintsInPieces, GuidesAsOnOneProcess)
 }
 
 // Two sheets, each of which another rank has where there are two.
-TEST(TestConstraintsInPieces, GuidesBetweenTwoSheets)
+TEST(ConstraintsInPieces, GuidesBetweenTwoSheets)
 {
   const test::Surface sheet = test::IrregularPlane(30, 30, 5);
   const double edge = SizesOf(sheet.Mesh()).MeanEdge;
@@ -218,7 +220,7 @@ TEST(TestConstraintsInPieces, GuidesBetweenTwoSheets)
   CheckOnAllPartitions(sheets, problem);
 }
 
-TEST(TestConstraintsInPieces, GuidesThatMissAreTold)
+TEST(ConstraintsInPieces, GuidesThatMissAreTold)
 {
   FieldProblem problem;
   problem.Guides.Vectors = { { Vector3(50.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0) } };
@@ -229,7 +231,7 @@ TEST(TestConstraintsInPieces, GuidesThatMissAreTold)
   CheckOnAllPartitions(test::IrregularSphere(3, 3), problem);
 }
 
-TEST(TestConstraintsInPieces, FeaturesAsOnOneProcess)
+TEST(ConstraintsInPieces, FeaturesAsOnOneProcess)
 {
   FieldProblem problem;
   problem.Features.BoundaryWeight = 2.0;
@@ -250,7 +252,7 @@ TEST(TestConstraintsInPieces, FeaturesAsOnOneProcess)
   }
 }
 
-TEST(TestConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
+TEST(ConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
 {
   FieldProblem problem;
   problem.Features.CurvatureWeight = 1.0;
@@ -268,7 +270,7 @@ TEST(TestConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
   }
 }
 
-TEST(TestConstraintsInPieces, RotationsSmoothingLengthAndCancellingAsOnOneProcess)
+TEST(ConstraintsInPieces, RotationsSmoothingLengthAndCancellingAsOnOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(3, 3);
   const TriangleMesh mesh = surface.Mesh();
@@ -290,7 +292,7 @@ TEST(TestConstraintsInPieces, RotationsSmoothingLengthAndCancellingAsOnOneProces
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(TestConstraintsInPieces, RotationOfNothingIsTold)
+TEST(ConstraintsInPieces, RotationOfNothingIsTold)
 {
   FieldProblem problem;
   problem.Rotation.Everywhere = 0.3;

@@ -1,4 +1,4 @@
-#include "Pieces/PieceFieldSolver.h"
+#include "Pieces/FieldSolverInPieces.h"
 
 #include "Partitions.h"
 #include "Support/Errors.h"
@@ -55,12 +55,20 @@ private:
   mutable int Left;
 };
 
+FieldProblem Following(const Constraints& constraints, DiscretisationKind kind = DiscretisationKind::VertexPowerField)
+{
+  FieldProblem problem;
+  problem.Constraints = constraints;
+  problem.Options.Field.Kind = kind;
+  return problem;
 }
 
-TEST(TestFaultsOfPieces, WrongDirectionOnOneRank)
+}
+
+TEST(FaultsOfPieces, WrongDirectionOnOneRank)
 {
   const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
-  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {
@@ -69,20 +77,20 @@ TEST(TestFaultsOfPieces, WrongDirectionOnOneRank)
       {
         constraints.OnFaces[0].Direction[1] = std::nan("");
       }
-      solver.Solve(constraints);
+      solver.Solve(Following(constraints));
     },
     "cell 0");
   // The solver is as it was.
-  EXPECT_TRUE(solver.Solve(test::OneDirection(solver.Piece())).Report.Converged);
+  EXPECT_TRUE(solver.Solve(Following(test::OneDirection(solver.Piece()))).Report.Converged);
 }
 
-TEST(TestFaultsOfPieces, WrongConstraintsOnOneRank)
+TEST(FaultsOfPieces, WrongConstraintsOnOneRank)
 {
   test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   cut.Piece.Positions.conservativeResize(cut.Piece.Positions.rows() + 1, 3);
   cut.Piece.Positions.bottomRows(1).setConstant(5.0); // without a triangle
   const int lastPoint = static_cast<int>(cut.Piece.Positions.rows()) - 1;
-  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
   const Vector3 x(1.0, 0.0, 0.0);
   const std::vector<std::pair<Constraints, std::string>> wrong = {
     { { { { 1000000, x, 1.0 } }, {}, {} }, "1000000" },
@@ -98,12 +106,9 @@ TEST(TestFaultsOfPieces, WrongConstraintsOnOneRank)
   for (const auto& [constraints, words] : wrong)
   {
     ExpectOnAllRanks<InvalidInput>([&, &constraints = constraints](bool isLast)
-      { solver.Solve(isLast ? constraints : test::OneDirection(solver.Piece())); },
+      { solver.Solve(Following(isLast ? constraints : test::OneDirection(solver.Piece()))); },
       words);
   }
-  DiscretisationOptions function;
-  function.Kind = DiscretisationKind::ScalarFunction;
-  PieceFieldSolver ofFunctions(MPI_COMM_WORLD, cut.Piece, function);
   for (const ValueConstraint& value : { ValueConstraint{ 0, std::nan(""), 1.0 }, ValueConstraint{ 0, 1.0, -1.0 },
          ValueConstraint{ lastPoint, 1.0, 1.0 } })
   {
@@ -112,27 +117,26 @@ TEST(TestFaultsOfPieces, WrongConstraintsOnOneRank)
       {
         Constraints constraints;
         constraints.Values.push_back(isLast ? value : ValueConstraint{ 0, 1.0, 1.0 });
-        ofFunctions.Solve(constraints);
+        solver.Solve(Following(constraints, DiscretisationKind::ScalarFunction));
       },
       value.Vertex == lastPoint ? "has no triangle" : "not finite or its weight not positive");
   }
 }
 
-TEST(TestFaultsOfPieces, WrongWeights)
+TEST(FaultsOfPieces, WrongWeights)
 {
   const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
-  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
   for (const double alignment : { 0.0, -1.0, std::nan("") })
   {
-    FieldWeights weights;
-    weights.Alignment = alignment;
-    ExpectOnAllRanks<InvalidInput>(
-      [&](bool) { solver.Solve(test::OneDirection(solver.Piece()), weights); }, "lignment");
+    FieldProblem problem = Following(test::OneDirection(solver.Piece()));
+    problem.Options.Alignment = alignment;
+    ExpectOnAllRanks<InvalidInput>([&](bool) { solver.Solve(problem); }, "lignment");
   }
-  EXPECT_TRUE(solver.Solve(test::OneDirection(solver.Piece())).Report.Converged);
+  EXPECT_TRUE(solver.Solve(Following(test::OneDirection(solver.Piece()))).Report.Converged);
 }
 
-TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
+TEST(FaultsOfPieces, WrongSurfaceOnOneRank)
 {
   ExpectOnAllRanks<InvalidInput>(
     [](bool isLast)
@@ -142,7 +146,7 @@ TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
       {
         cut.Piece.Corners(2, 1) = 1000000;
       }
-      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+      FieldSolverInPieces(MPI_COMM_WORLD, cut.Piece);
     },
     "triangle 2");
   ExpectOnAllRanks<InvalidInput>(
@@ -153,12 +157,12 @@ TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
       {
         cut.Piece.Positions(cut.Piece.Corners(5, 0), 1) = std::nan("");
       }
-      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+      FieldSolverInPieces(MPI_COMM_WORLD, cut.Piece);
     },
     "point");
 }
 
-TEST(TestFaultsOfPieces, TurnedPieceAndDoubledPieces)
+TEST(FaultsOfPieces, TurnedPieceAndDoubledPieces)
 {
   const Ranks all(MPI_COMM_WORLD);
   if (all.Size() == 1)
@@ -173,19 +177,19 @@ TEST(TestFaultsOfPieces, TurnedPieceAndDoubledPieces)
       {
         cut.Piece.Corners.col(1).swap(cut.Piece.Corners.col(2));
       }
-      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+      FieldSolverInPieces(MPI_COMM_WORLD, cut.Piece);
     },
     "in the same direction");
   ExpectOnAllRanks<InvalidInput>(
     [](bool)
     {
       test::Surface open = test::Disk(5);
-      PieceFieldSolver(MPI_COMM_WORLD, { open.V, open.F, {} }, {});
+      FieldSolverInPieces(MPI_COMM_WORLD, { open.V, open.F, {} });
     },
     "ranks 0");
 }
 
-TEST(TestFaultsOfPieces, RanksThatDiffer)
+TEST(FaultsOfPieces, RanksThatDiffer)
 {
   const Ranks all(MPI_COMM_WORLD);
   if (all.Size() == 1)
@@ -193,21 +197,21 @@ TEST(TestFaultsOfPieces, RanksThatDiffer)
     GTEST_SKIP() << "one rank does not differ";
   }
   const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+  FieldProblem problem = Following(test::OneDirection(solver.Piece()));
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {
-      DiscretisationOptions field;
-      field.N = isLast ? 2 : 4;
-      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, field);
+      problem.Options.Field.N = isLast ? 2 : 4;
+      solver.Solve(problem);
     },
     "N = 2");
-  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  problem.Options.Field.N = 4;
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {
-      FieldWeights weights;
-      weights.Alignment = isLast ? 2.0 : 3.0;
-      solver.Solve(test::OneDirection(solver.Piece()), weights);
+      problem.Options.Alignment = isLast ? 2.0 : 3.0;
+      solver.Solve(problem);
     },
     "alignment 2");
   ExpectOnAllRanks<InvalidInput>(
@@ -218,25 +222,24 @@ TEST(TestFaultsOfPieces, RanksThatDiffer)
       {
         piece.GlobalIds.assign(piece.Positions.rows(), 0);
       }
-      PieceFieldSolver(MPI_COMM_WORLD, piece, {});
+      FieldSolverInPieces(MPI_COMM_WORLD, piece);
     },
     "global ids");
 }
 
-TEST(TestFaultsOfPieces, NothingToSolve)
+TEST(FaultsOfPieces, NothingToSolve)
 {
-  ExpectOnAllRanks<InvalidInput>([](bool) { PieceFieldSolver(MPI_COMM_WORLD, {}, {}); }, "no rank has a triangle");
+  ExpectOnAllRanks<InvalidInput>(
+    [](bool) { FieldSolverInPieces(MPI_COMM_WORLD, SurfacePiece()); }, "no rank has a triangle");
   const test::CutPiece cut = test::PieceHere(test::Icosphere(2));
-  DiscretisationOptions function;
-  function.Kind = DiscretisationKind::ScalarFunction;
-  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, function);
-  ExpectOnAllRanks<InvalidInput>([&](bool) { solver.Solve({}); }, "no rank prescribes a value");
-  DiscretisationOptions flow;
-  flow.Kind = DiscretisationKind::FaceField;
-  ExpectOnAllRanks<InvalidInput>([&](bool) { PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, flow); }, "gather it");
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool) { solver.Solve(Following({}, DiscretisationKind::ScalarFunction)); }, "no rank prescribes a value");
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool) { solver.Solve(Following({}, DiscretisationKind::FaceField)); }, "gather the surface");
 }
 
-TEST(TestFaultsOfPieces, NoMemoryOnOneRank)
+TEST(FaultsOfPieces, NoMemoryOnOneRank)
 {
   const Ranks all(MPI_COMM_WORLD);
   ExpectOnAllRanks<MemoryRanOut>(
@@ -254,7 +257,7 @@ TEST(TestFaultsOfPieces, NoMemoryOnOneRank)
     "more ranks");
 }
 
-TEST(TestFaultsOfPieces, OneRankStopsAll)
+TEST(FaultsOfPieces, OneRankStopsAll)
 {
   const Ranks all(MPI_COMM_WORLD);
   const test::CutPiece cut = test::PieceHere(test::IrregularSphere(4, 3));
@@ -266,9 +269,9 @@ TEST(TestFaultsOfPieces, OneRankStopsAll)
     bool isStopped = false;
     try
     {
-      PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {}, {}, context);
-      solver.Solve(test::OneDirection(solver.Piece()), {}, {}, context);
-      solver.Solve({}, {}, {}, context); // the smoothest field
+      FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece, {}, context);
+      solver.Solve(Following(test::OneDirection(solver.Piece())), context);
+      solver.Solve({}, context); // the smoothest field
     }
     catch (const Cancelled&)
     {

@@ -104,7 +104,7 @@ private:
     double sum = 0.0;
     for (Eigen::Index element = 0; element < field.Indices.size(); ++element)
     {
-      sum += solver.TellsIndexOf(static_cast<int>(element)) ? field.Indices[element] : 0.0;
+      sum += solver.ReportsIndexOf(static_cast<int>(element)) ? field.Indices[element] : 0.0;
     }
     EXPECT_NEAR(this->All.Sum(sum), this->Exact->Indices.sum(), 1e-9);
     const std::vector<int>& elements = field.AreSingularitiesOnFaces ? cut.Triangles : cut.Points;
@@ -161,16 +161,16 @@ void CheckOnAllPartitions(const test::Surface& surface, const FieldProblem& prob
 
 }
 
-TEST(TestFieldSolverInPieces, ArraysAsOnOneProcess)
+TEST(FieldSolverInPieces, ArraysAsOnOneProcess)
 {
-  for (const test::Surface& surface : { test::DoubleTorus(8), test::Annulus(30, 6) })
+  for (const test::Surface& surface : { test::DoubleTorus(8), test::Annulus(30, 6), test::IrregularSphere(4, 3) })
   {
     CheckOnAllPartitions(surface, SomeDirections(surface.Mesh()));
     CheckOnAllPartitions(surface, SomeValues(surface.Mesh()));
   }
 }
 
-TEST(TestFieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
+TEST(FieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
 {
   const test::Surface surface = test::Prism(24, 16);
   FieldProblem problem;
@@ -189,7 +189,7 @@ TEST(TestFieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(TestFieldSolverInPieces, SourcesAsOnOneProcess)
+TEST(FieldSolverInPieces, SourcesAsOnOneProcess)
 {
   // The second component has no value: its function has the mean zero.
   const test::Surface surface =
@@ -208,7 +208,7 @@ TEST(TestFieldSolverInPieces, SourcesAsOnOneProcess)
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(TestFieldSolverInPieces, SmoothestFieldIsThere)
+TEST(FieldSolverInPieces, SmoothestFieldIsThere)
 {
   const test::Surface surface = test::IrregularTorus(40, 20, 4);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -223,7 +223,7 @@ TEST(TestFieldSolverInPieces, SmoothestFieldIsThere)
   EXPECT_NEAR(field.Report.Eigenvalues[0], expected, 1e-3 * expected);
 }
 
-TEST(TestFieldSolverInPieces, StagesAreKept)
+TEST(FieldSolverInPieces, StagesAreKept)
 {
   const test::Surface surface = test::IrregularSphere(4, 3);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -252,7 +252,7 @@ TEST(TestFieldSolverInPieces, StagesAreKept)
   EXPECT_EQ(solver.Counts().Setups, 2);
 }
 
-TEST(TestFieldSolverInPieces, ReasonsToGatherAreTold)
+TEST(FieldSolverInPieces, ReasonsToGatherAreTold)
 {
   EXPECT_EQ(ReasonToGather({}), "");
   const auto reasonOf = [](const auto& change)
@@ -270,7 +270,7 @@ TEST(TestFieldSolverInPieces, ReasonsToGatherAreTold)
   EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Features.CurvatureWeight = 1.0; }), "");
 }
 
-TEST(TestFieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
+TEST(FieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
 {
   const test::Surface surface = test::IrregularSphere(3, 3);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -330,7 +330,7 @@ TEST(TestFieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
 }
 
 // A plane has no holes and the field no singularities: combed, direction 0 continues over all edges.
-TEST(TestFieldSolverInPieces, CombedDirectionsContinueOverSeams)
+TEST(FieldSolverInPieces, CombedDirectionsContinueOverSeams)
 {
   const test::Surface surface = test::IrregularPlane(40, 30, 5);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -357,10 +357,10 @@ TEST(TestFieldSolverInPieces, CombedDirectionsContinueOverSeams)
         EXPECT_LE(std::abs(field.OnFaces[piece.GhostFaces()[k]] / ofOwners[k] - 1.0), 1e-6);
       }
       const std::vector<Complex> atVertices =
-        piece.GhostVertices().Fetch<Complex>([&](int number) { return field.AtVertices[piece.FirstOwned() + number]; });
-      for (std::size_t k = 0; k < atVertices.size(); ++k)
+        piece.WithGhosts<Complex>(field.AtVertices.segment(piece.FirstOwned(), piece.NumberOfOwned()));
+      for (std::size_t vertex = 0; vertex < atVertices.size(); ++vertex)
       {
-        EXPECT_EQ(field.AtVertices[piece.NotOwned()[k]], atVertices[k]);
+        EXPECT_EQ(field.AtVertices[vertex], atVertices[vertex]);
       }
       for (int i = 0; i < piece.NumberOfOwnFaces(); ++i)
       {

@@ -1,7 +1,7 @@
 #include "Pieces/PetscSession.h"
 
 #include "Partitions.h"
-#include "Pieces/PieceFieldSolver.h"
+#include "Pieces/FieldSolverInPieces.h"
 #include "Support/Errors.h"
 
 #include <gtest/gtest.h>
@@ -27,14 +27,21 @@ class Solved
 {
 public:
   explicit Solved(MPI_Comm communicator = MPI_COMM_WORLD, const test::Surface& surface = test::Icosphere(3))
-    : Solver(communicator, test::PieceHere(surface, communicator).Piece, {})
+    : Solver(communicator, test::PieceHere(surface, communicator).Piece)
   {
     this->Again();
   }
-  void Again() { EXPECT_TRUE(this->Solver.Solve(test::OneDirection(this->Solver.Piece())).Report.Converged); }
+  /// For another limit, so that it is solved for anew.
+  void Again()
+  {
+    this->Problem.Constraints = test::OneDirection(this->Solver.Piece());
+    this->Problem.Stop.MaximumIterations += 1;
+    EXPECT_TRUE(this->Solver.Solve(this->Problem).Report.Converged);
+  }
 
 private:
-  PieceFieldSolver Solver;
+  FieldSolverInPieces Solver;
+  FieldProblem Problem;
 };
 
 /// What somebody else has in PETSc, and whether it is as it was.
@@ -77,7 +84,7 @@ private:
 
 }
 
-TEST(TestPetscSession, OursEndsWithTheSolver)
+TEST(PetscSession, OursEndsWithTheSolver)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -90,7 +97,7 @@ TEST(TestPetscSession, OursEndsWithTheSolver)
 }
 
 /// As filters in a server, of which any may be deleted first.
-TEST(TestPetscSession, OursEndsWithTheLastSolver)
+TEST(PetscSession, OursEndsWithTheLastSolver)
 {
   auto first = std::make_unique<Solved>();
   Solved second(MPI_COMM_WORLD, test::Icosphere(2));
@@ -101,7 +108,7 @@ TEST(TestPetscSession, OursEndsWithTheLastSolver)
   second.Again();
 }
 
-TEST(TestPetscSession, SomebodyElseBeforeAndAfter)
+TEST(PetscSession, SomebodyElseBeforeAndAfter)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -125,7 +132,7 @@ TEST(TestPetscSession, SomebodyElseBeforeAndAfter)
 }
 
 /// Their options and their handler of errors count for them, not for us.
-TEST(TestPetscSession, OptionsOfSomebodyElse)
+TEST(PetscSession, OptionsOfSomebodyElse)
 {
   ASSERT_EQ(PetscInitializeNoArguments(), 0);
   EXPECT_EQ(PetscOptionsSetValue(nullptr, "-ksp_type", "gmres"), 0);
@@ -137,18 +144,20 @@ TEST(TestPetscSession, OptionsOfSomebodyElse)
   EXPECT_EQ(PetscFinalize(), 0);
 }
 
-TEST(TestPetscSession, EndedUnderASolver)
+TEST(PetscSession, EndedUnderASolver)
 {
   ASSERT_EQ(PetscInitializeNoArguments(), 0);
-  PieceFieldSolver solver(MPI_COMM_WORLD, test::PieceHere(test::Icosphere(3)).Piece, {});
-  solver.Solve(test::OneDirection(solver.Piece()));
+  FieldSolverInPieces solver(MPI_COMM_WORLD, test::PieceHere(test::Icosphere(3)).Piece);
+  FieldProblem problem;
+  problem.Constraints = test::OneDirection(solver.Piece());
+  solver.Solve(problem);
   EXPECT_EQ(PetscFinalize(), 0);
-  EXPECT_THROW(solver.Solve(test::OneDirection(solver.Piece())), SolverFailure);
+  EXPECT_THROW(solver.Solve(problem), SolverFailure);
   const Solved another;
 }
 
 /// The parts solve at the same time, each for a surface of its own.
-TEST(TestPetscSession, PartsOfAllRanks)
+TEST(PetscSession, PartsOfAllRanks)
 {
   const Ranks all(MPI_COMM_WORLD);
   const int half = 2 * all.Rank() < all.Size() ? 0 : 1;
@@ -161,7 +170,7 @@ TEST(TestPetscSession, PartsOfAllRanks)
 }
 
 /// The first solver is of some ranks, the next one of all, and they end in this order or in the other one.
-TEST(TestPetscSession, SomeRanksAndAll)
+TEST(PetscSession, SomeRanksAndAll)
 {
   const Ranks all(MPI_COMM_WORLD);
   const PartOfRanks part(all.Rank() == 0 ? 1 : 0);
@@ -186,7 +195,7 @@ TEST(TestPetscSession, SomeRanksAndAll)
   }
 }
 
-TEST(TestPetscSession, PartsWithPetscOfSomebodyElse)
+TEST(PetscSession, PartsWithPetscOfSomebodyElse)
 {
   const Ranks all(MPI_COMM_WORLD);
   const PartOfRanks part(all.Rank() % 2);

@@ -62,7 +62,7 @@ void ForAll(const Check& check)
 
 }
 
-TEST(TestPieceOfSurface, OwnedVerticesAreThoseOfTheSurface)
+TEST(PieceOfSurface, OwnedVerticesAreThoseOfTheSurface)
 {
   ForAll(
     [](const TriangleMesh& mesh, const test::CutPiece& cut, const PieceOfSurface& piece)
@@ -92,7 +92,7 @@ TEST(TestPieceOfSurface, OwnedVerticesAreThoseOfTheSurface)
     });
 }
 
-TEST(TestPieceOfSurface, FansOfOwnTrianglesAreComplete)
+TEST(PieceOfSurface, FansOfOwnTrianglesAreComplete)
 {
   ForAll(
     [](const TriangleMesh& mesh, const test::CutPiece& cut, const PieceOfSurface& piece)
@@ -113,7 +113,7 @@ TEST(TestPieceOfSurface, FansOfOwnTrianglesAreComplete)
     });
 }
 
-TEST(TestPieceOfSurface, RanksAgreeOnFramesAndConnection)
+TEST(PieceOfSurface, RanksAgreeOnFramesAndConnection)
 {
   ForAll(
     [](const TriangleMesh&, const test::CutPiece&, const PieceOfSurface& piece)
@@ -136,7 +136,7 @@ TEST(TestPieceOfSurface, RanksAgreeOnFramesAndConnection)
         EXPECT_LE((x - Eigen::Map<const Eigen::RowVector3d>(axes[vertex].X)).norm(), Rounding);
       }
       // Transport there and back is none, across seams as well.
-      for (int h = 0; !piece.IsEmpty() && h < 3 * piece.Surface().Mesh.NumberOfFaces(); ++h)
+      for (int h = 0; h < 3 * piece.Surface().Mesh.NumberOfFaces(); ++h)
       {
         if (const int twin = piece.Surface().Mesh.Twin(h); twin >= 0)
         {
@@ -147,7 +147,7 @@ TEST(TestPieceOfSurface, RanksAgreeOnFramesAndConnection)
     });
 }
 
-TEST(TestPieceOfSurface, ComponentsAreThoseOfTheSurface)
+TEST(PieceOfSurface, ComponentsAreThoseOfTheSurface)
 {
   ForAll(
     [](const TriangleMesh& mesh, const test::CutPiece&, const PieceOfSurface& piece)
@@ -160,7 +160,7 @@ TEST(TestPieceOfSurface, ComponentsAreThoseOfTheSurface)
     });
 }
 
-TEST(TestPieceOfSurface, PinchedPiecesAndSlits)
+TEST(PieceOfSurface, PinchedPiecesAndSlits)
 {
   // Two tetrahedra that share a corner are two components, whoever has them.
   const test::Surface pinched = test::PinchedTetrahedra();

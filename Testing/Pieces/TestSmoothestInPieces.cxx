@@ -1,8 +1,8 @@
-#include "Pieces/PieceFieldSolver.h"
-
 #include "FieldSolver.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Partitions.h"
+#include "Pieces/FieldSolverInPieces.h"
+#include "ProblemsInPieces.h"
 #include "Support/ComplexPairs.h"
 
 #include <Eigen/SparseCholesky>
@@ -26,14 +26,17 @@ public:
     , All(MPI_COMM_WORLD)
     , Cut(test::CutOut(surface, ranksOfTriangles, this->All.Rank()))
     , Reference(surface.Mesh())
-    , Options(field)
-    , Solver(MPI_COMM_WORLD, this->Cut.Piece, field)
+    , Solver(MPI_COMM_WORLD, this->Cut.Piece)
   {
+    this->Problem.Options.Field = field;
   }
 
+  const Field& Solve() { return this->Solver.Solve(test::OfPiece(this->Problem, this->Cut, this->Surface)); }
+
   /// Of the whole surface, from the pieces, in the frames of one process.
-  Vector<Complex> Gather(const PieceField& field) const
+  Vector<Complex> Gather(const Field& field) const
   {
+    const Vector<Complex> powers = test::UnknownsOf(field);
     Vector<double> sums = Vector<double>::Zero(2 * this->Surface.V.rows());
     for (std::size_t i = 0; i < this->Cut.Points.size(); ++i)
     {
@@ -43,7 +46,7 @@ public:
         const int there = this->Cut.Points[i];
         const Complex axis = this->Solver.Piece().Surface().Vertices.ToComplex(
           here, this->Reference.Surface().Vertices.X.row(there).transpose());
-        const Complex value = field.AtVertices[here] * std::pow(std::conj(axis), this->Options.N);
+        const Complex value = powers[here] * std::pow(std::conj(axis), field.N);
         sums[2 * there] = value.real();
         sums[2 * there + 1] = value.imag();
       }
@@ -53,12 +56,10 @@ public:
   }
 
   /// By a solver that factors the system.
-  const Field& Expected(const Constraints& constraints = {})
+  const Field& Expected()
   {
-    FieldProblem problem;
-    problem.Options.Field = this->Options;
+    FieldProblem problem = this->Problem;
     problem.Options.Solver.Kind = SolverKind::Cholesky;
-    problem.Constraints = constraints;
     problem.Stop = { 1e-8, 200 };
     return this->Reference.Solve(problem);
   }
@@ -67,8 +68,8 @@ public:
   const Ranks All;
   const test::CutPiece Cut;
   FieldSolver Reference;
-  const DiscretisationOptions Options;
-  PieceFieldSolver Solver;
+  FieldSolverInPieces Solver;
+  FieldProblem Problem;
 };
 
 /// Without symmetries, which make eigenvalues multiple or nearly so.
@@ -100,7 +101,7 @@ std::vector<double> Sorted(std::vector<double> numbers)
   return numbers;
 }
 
-void ExpectSameEigenvalues(const PieceField& field, const Field& expected)
+void ExpectSameEigenvalues(const Field& field, const Field& expected)
 {
   const std::vector<double> here = Sorted(field.Report.Eigenvalues);
   const std::vector<double> there = Sorted(expected.Solution->Report.Eigenvalues);
@@ -113,7 +114,7 @@ void ExpectSameEigenvalues(const PieceField& field, const Field& expected)
 
 }
 
-TEST(TestSmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
+TEST(SmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
 {
   struct Problem
   {
@@ -137,17 +138,18 @@ TEST(TestSmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
       options.N = problem.N;
       Smoothest smoothest(
         problem.Surface, partition.RanksOfTriangles(problem.Surface, Ranks(MPI_COMM_WORLD).Size()), options);
-      const PieceField field = smoothest.Solver.Solve({});
+      const Field& field = smoothest.Solve();
       EXPECT_TRUE(field.Report.Converged);
-      EXPECT_EQ(field.UnheldComponents, 1);
+      EXPECT_EQ(field.Report.Eigenvalues.size(), 1);
       const Field& expected = smoothest.Expected();
       ExpectSameEigenvalues(field, expected);
       const Vector<Complex> exact = AsComplex(expected.Solution->Unknowns);
       const Vector<Complex> found = smoothest.Gather(field);
       EXPECT_LE(DistanceUpToPhase(found, exact), 1e-4);
       EXPECT_NEAR(MeanSquare(found, LumpedMass(problem.Surface.Mesh())), 1.0, 1e-9);
-      EXPECT_LE(smoothest.Solver.Solve({}).Report.Returned, 1); // it starts from there
-      if (smoothest.All.Size() == 1)                            // which has all, whatever the partition
+      ++smoothest.Problem.Stop.MaximumIterations;
+      EXPECT_LE(smoothest.Solve().Report.Returned, 1); // it starts from there
+      if (smoothest.All.Size() == 1)                   // which has all, whatever the partition
       {
         break;
       }
@@ -157,7 +159,7 @@ TEST(TestSmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
 
 /// The lowest eigenvalue of a sphere is multiple, and any of its vectors is as good: it is one if L x = theta M x. The error of x
 /// in the energy norm is about the norm of that residual in L^-1, over the distance to the next eigenvalue.
-TEST(TestSmoothestInPieces, MultipleEigenvaluesOfSpheres)
+TEST(SmoothestInPieces, MultipleEigenvaluesOfSpheres)
 {
   const test::Surface surface = test::Icosphere(4);
   for (const int N : { 1, 4 })
@@ -166,7 +168,7 @@ TEST(TestSmoothestInPieces, MultipleEigenvaluesOfSpheres)
     options.N = N;
     Smoothest smoothest(
       surface, test::Partitions()[1].RanksOfTriangles(surface, Ranks(MPI_COMM_WORLD).Size()), options);
-    const PieceField field = smoothest.Solver.Solve({});
+    const Field& field = smoothest.Solve();
     EXPECT_TRUE(field.Report.Converged);
     ExpectSameEigenvalues(field, smoothest.Expected());
     EXPECT_NEAR(field.Report.Eigenvalues.at(0), N, 0.02 * N);
@@ -183,7 +185,7 @@ TEST(TestSmoothestInPieces, MultipleEigenvaluesOfSpheres)
   }
 }
 
-TEST(TestSmoothestInPieces, ComponentsWithoutConstraints)
+TEST(SmoothestInPieces, ComponentsWithoutConstraints)
 {
   // Three components; the second is on one rank only, and so is the third.
   const test::Surface first = Bent(test::IrregularTorus(40, 20, 4));
@@ -199,17 +201,13 @@ TEST(TestSmoothestInPieces, ComponentsWithoutConstraints)
   for (const std::vector<int>& partition : { ranksOfTriangles, inTiles })
   {
     Smoothest smoothest(surface, partition, {});
-    Constraints whole;
-    whole.OnFaces.push_back(
+    smoothest.Problem.Constraints.OnFaces.push_back(
       { 3, surface.V.row(surface.F(3, 1)).transpose() - surface.V.row(surface.F(3, 0)).transpose(), 1.0 });
-    Constraints own = whole;
-    const auto here = std::find(smoothest.Cut.Triangles.begin(), smoothest.Cut.Triangles.end(), 3);
-    own.OnFaces[0].Element = static_cast<int>(here - smoothest.Cut.Triangles.begin());
-    const PieceField field =
-      smoothest.Solver.Solve(here != smoothest.Cut.Triangles.end() ? own : Constraints(), {}, { 1e-8, 100 });
+    smoothest.Problem.Stop = { 1e-8, 100 };
+    const Field& field = smoothest.Solve();
     EXPECT_TRUE(field.Report.Converged);
-    EXPECT_EQ(field.UnheldComponents, 2);
-    const Field& expected = smoothest.Expected(whole);
+    EXPECT_EQ(field.Report.Eigenvalues.size(), 2);
+    const Field& expected = smoothest.Expected();
     ExpectSameEigenvalues(field, expected);
     const Vector<Complex> exact = AsComplex(expected.Solution->Unknowns);
     const Vector<Complex> found = smoothest.Gather(field);

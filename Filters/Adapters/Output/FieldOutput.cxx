@@ -1,15 +1,42 @@
 #include "Adapters/Output/FieldOutput.h"
 
 #include "Adapters/Output/ReportToArrays.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 namespace dmg
 {
 
+void FieldOutput::Write(const SolverOfDataSet& surface, const dmg::Field& field, const FieldInputs& inputs,
+  const PreparationOptions& preparation, const std::string& followed, vtkInformationVector* outputs,
+  const ExecutionContext& context)
+{
+  this->MakeArrays(surface, field, inputs.Surface, context);
+  vtkDataSet* const output = vtkDataSet::GetData(outputs, 0);
+  vtkTable* const convergence = vtkTable::GetData(outputs, 2);
+  output->ShallowCopy(inputs.Surface);
+  this->AddArraysTo(surface, field, output, vtkPolyData::GetData(outputs, 1));
+  AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
+  MakeConvergenceTable(field.Report, convergence);
+  for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
+  {
+    RemoveReport(data);
+    AddFollowed(followed, data);
+    this->AddReportTo(surface, field, data);
+    if (!inputs.Guides.Data.empty())
+    {
+      AddGuidesReport(field.Guides, data);
+    }
+  }
+}
+
 void FieldOutput::MakeArrays(
-  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
+  const SolverOfDataSet& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
 {
   const double most = field.HarmonicBasis ? 0.2 : 1.0;
   if (!this->Arrays || this->Surface != surface.Number() || this->Field != field.Number ||
@@ -27,7 +54,7 @@ void FieldOutput::MakeArrays(
 }
 
 void FieldOutput::MakeBasis(
-  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
+  const SolverOfDataSet& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
 {
   if (field.HarmonicBasis && this->Basis != field.HarmonicBasis)
   {
@@ -41,7 +68,7 @@ void FieldOutput::MakeBasis(
 }
 
 void FieldOutput::AddArraysTo(
-  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* output, vtkPolyData* edges) const
+  const SolverOfDataSet& surface, const dmg::Field& field, vtkDataSet* output, vtkPolyData* edges) const
 {
   const FieldSolution& solution = *field.Solution;
   AddFieldArrays(*this->Arrays, output, edges);
@@ -52,7 +79,7 @@ void FieldOutput::AddArraysTo(
   }
 }
 
-void FieldOutput::AddReportTo(const SolverOfSurface& surface, const dmg::Field& field, vtkFieldData* data) const
+void FieldOutput::AddReportTo(const SolverOfDataSet& surface, const dmg::Field& field, vtkFieldData* data) const
 {
   AddReport(field.Report, field.N, surface.SetupSeconds(field), data);
   if (field.HarmonicBasis)

@@ -219,7 +219,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const ContextFromAlgorithm context(algorithm);
-  ranks.Together([&] { context.Checkpoint(0.0); });
+  ranks.Checkpoint(context, 0.0);
   CheckSameProperties(ranks, algorithm);
   CheckInputs(ranks, algorithm, inputs);
   if (AreEmpty(ranks, inputs[0]))
@@ -365,10 +365,13 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const RanksOfPipeline ranks;
+  const bool areInPieces = AreInPieces(ranks, request, inputs, outputs);
+  const auto failed = [&](const std::string& message) // of all ranks, where these work together
+  { return Failed(algorithm, outputs, areInPieces && ranks.Rank() > 0 ? "" : InPanelWords(message)); };
   try
   {
     Empty(outputs);
-    if (AreInPieces(ranks, request, inputs, outputs))
+    if (areInPieces)
     {
       MakeOfPieces(ranks, make, inPieces, algorithm, inputs, outputs);
     }
@@ -382,19 +385,18 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
   {
     return Aborted(algorithm, outputs);
   }
-  catch (const FailedTogether& error)
+  catch (const MemoryRanOut& error)
   {
-    return Failed(algorithm, outputs, ranks.Rank() == 0 ? InPanelWords(error.what()) : "");
+    return failed(error.what());
   }
   catch (const std::bad_alloc&)
   {
-    return Failed(algorithm, outputs,
-      "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate "
-      "(vtkDecimatePro)");
+    return failed("there is not enough memory for this surface; free some, or reduce the number of triangles with "
+                  "Decimate (vtkDecimatePro)");
   }
   catch (const WrongChoice& error)
   {
-    Failed(algorithm, outputs, InPanelWords(error.what()));
+    failed(error.what());
     if (HandsSurfaceOn(algorithm))
     {
       vtkDataObject::GetData(outputs, 0)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
@@ -403,7 +405,7 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
   }
   catch (const std::exception& error)
   {
-    return Failed(algorithm, outputs, InPanelWords(error.what()));
+    return failed(error.what());
   }
 }
 

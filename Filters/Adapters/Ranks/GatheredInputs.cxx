@@ -31,35 +31,6 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-std::vector<std::string> LinesOf(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);)
-  {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-/// \throw InvalidInput
-void CheckSameTexts(const std::vector<std::string>& texts)
-{
-  for (std::size_t rank = 1; rank < texts.size(); ++rank)
-  {
-    std::vector<std::string> first = LinesOf(texts[0]);
-    std::vector<std::string> other = LinesOf(texts[rank]);
-    first.resize(std::max(first.size(), other.size()));
-    other.resize(first.size());
-    const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin());
-    if (a != first.end())
-    {
-      throw InvalidInput("ranks 0 and " + std::to_string(rank) + " differ in a property: \"" + *a + "\" and \"" + *b +
-        "\"; give all ranks the same");
-    }
-  }
-}
-
 /// Which ranks have data that no rank before them has, too.
 std::vector<char> HaveOwn(const RanksOfPipeline& ranks, vtkDataObject* data)
 {
@@ -200,7 +171,8 @@ std::string PropertiesOf(vtkAlgorithm* algorithm)
     properties += "connections of input " + std::to_string(port) + ": " +
       std::to_string(algorithm->GetNumberOfInputConnections(port)) + "\n";
   }
-  for (const std::string& line : LinesOf(all.str().substr(std::min(all.str().size(), base.str().size()))))
+  std::istringstream own(all.str().substr(std::min(all.str().size(), base.str().size())));
+  for (std::string line; std::getline(own, line);)
   {
     const bool isCount = line.find("NumberOfSetups:") == 0 || line.find("NumberOfSystems:") == 0 ||
       line.find("NumberOfSolves:") == 0 || line.find("Period:") == 0;
@@ -213,8 +185,7 @@ void CheckSameProperties(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm)
 {
   std::string properties;
   ranks.Together([&] { properties = PropertiesOf(algorithm); });
-  const std::vector<std::string> all = ranks.Gather(properties);
-  ranks.Together([&] { CheckSameTexts(all); });
+  ranks.CheckSame(properties, "a property");
 }
 
 bool AreEmpty(const RanksOfPipeline& ranks, vtkInformationVector* port)

@@ -22,7 +22,7 @@ bool ComesInPieces(vtkInformationVector* port);
 /// The properties of a filter, as its PrintSelf says them, a line each; not its counts of what it did.
 std::string PropertiesOf(vtkAlgorithm* algorithm);
 
-/// Collective. \throw FailedTogether ranks differ in what PropertiesOf says.
+/// Collective. \throw InvalidInput ranks differ in PropertiesOf.
 void CheckSameProperties(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm);
 
 /// Collective. Whether no rank has a cell.
@@ -42,7 +42,7 @@ public:
   };
 
   /// Collective. \pre the first input of each rank has data that come in pieces.
-  /// \throw FailedTogether the first rank has not enough memory (CheckFits).
+  /// \throw InvalidInput the first rank has not enough memory (CheckFits).
   /// \throw Cancelled
   GatheredInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs, Place place);
 

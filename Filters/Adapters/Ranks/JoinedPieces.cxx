@@ -21,10 +21,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <map>
 #include <numeric>
-#include <utility>
 
 namespace dmg
 {
@@ -163,203 +162,114 @@ void ForCorners(vtkPointSet* dataset, const Visit& visit)
   }
 }
 
-/// Numbers that are joined into groups.
-class Groups
+/// The number of a point's piece. \param begins of the points of each piece, and their number.
+std::ptrdiff_t PieceOf(vtkIdType point, const std::vector<vtkIdType>& begins)
 {
-public:
-  explicit Groups(vtkIdType size)
-    : Parents(size)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), vtkIdType(0));
-  }
+  return std::upper_bound(begins.begin(), begins.end(), point) - begins.begin() - 1;
+}
 
-  /// The smallest number of the group, as far as Join has brought it there.
-  vtkIdType Of(vtkIdType number)
-  {
-    while (this->Parents[number] != number)
-    {
-      number = this->Parents[number] = this->Parents[this->Parents[number]];
-    }
-    return number;
-  }
-
-  void Join(vtkIdType a, vtkIdType b)
-  {
-    a = this->Of(a);
-    b = this->Of(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<vtkIdType> Parents;
-};
-
-/// The points of a dataset that was made of pieces.
-class PointsOfPieces
+std::vector<vtkIdType> AllNumbers(vtkIdType size)
 {
-public:
-  /// \param begins of the points of each piece, and their number.
-  PointsOfPieces(vtkPointSet* joined, std::vector<vtkIdType> begins)
-    : Joined(joined)
-    , Ids(joined->GetPointData()->GetGlobalIds())
-    , Begins(std::move(begins))
-    , IsUsed(joined->GetNumberOfPoints(), 0)
-    , Tolerance(LargestCoordinate(joined) * RoundOffOfPoints(joined))
-  {
-    ForCorners(joined,
-      [this](vtkIdType point)
-      {
-        this->IsUsed[point] = 1;
-        return point;
-      });
-  }
+  std::vector<vtkIdType> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), vtkIdType(0));
+  return numbers;
+}
 
-  /// For each point the one that stands for it.
-  std::vector<vtkIdType> Representatives() const
+/// For each point the first one with the same id.
+std::vector<vtkIdType> FirstsByIds(vtkDataArray* ids)
+{
+  const auto idOf = [ids](vtkIdType point) { return static_cast<vtkIdType>(ids->GetComponent(point, 0)); };
+  std::vector<vtkIdType> firsts = AllNumbers(ids->GetNumberOfTuples());
+  std::vector<vtkIdType> sorted = firsts;
+  std::stable_sort(sorted.begin(), sorted.end(), [&idOf](vtkIdType a, vtkIdType b) { return idOf(a) < idOf(b); });
+  for (std::size_t k = 1; k < sorted.size(); ++k)
   {
-    Groups groups(this->Joined->GetNumberOfPoints());
-    const std::vector<Entry> sorted = this->Ids ? this->SortedByIds() : this->SortedByPlaces();
-    std::vector<vtkIdType> joined;
-    for (std::size_t begin = 0; begin < sorted.size(); ++begin)
+    if (idOf(sorted[k]) == idOf(sorted[k - 1]))
     {
-      for (std::size_t next = begin + 1; next < sorted.size() && sorted[next].first == sorted[begin].first; ++next)
-      {
-        const auto [a, b] = std::pair(sorted[begin].second, sorted[next].second);
-        if (a != b && this->AreSame(a, b))
-        {
-          groups.Join(a, b);
-          joined.push_back(a);
-          joined.push_back(b);
-        }
-      }
-    }
-    return this->Representatives(groups, std::move(joined));
-  }
-
-private:
-  using Place = NearPlaces::Place;
-  using Entry = std::pair<std::uint64_t, vtkIdType>; // a key that points share that may be one, and the point
-
-  static double LargestCoordinate(vtkDataSet* dataset)
-  {
-    double box[6];
-    dataset->GetBounds(box);
-    return std::abs(*std::max_element(box, box + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  }
-
-  Place PlaceOf(vtkIdType point) const
-  {
-    Place place;
-    this->Joined->GetPoint(point, place.data());
-    return place;
-  }
-
-  std::size_t PieceOf(vtkIdType point) const
-  {
-    return std::upper_bound(this->Begins.begin(), this->Begins.end(), point) - this->Begins.begin() - 1;
-  }
-
-  bool AreSame(vtkIdType a, vtkIdType b) const
-  {
-    if (this->Ids)
-    {
-      return true;
-    }
-    return this->PieceOf(a) != this->PieceOf(b) &&
-      NearPlaces::AreNear(this->PlaceOf(a), this->PlaceOf(b), this->Tolerance);
-  }
-
-  std::vector<Entry> SortedByIds() const
-  {
-    std::vector<Entry> sorted;
-    for (vtkIdType point = 0; point < this->Joined->GetNumberOfPoints(); ++point)
-    {
-      sorted.emplace_back(static_cast<std::uint64_t>(this->Ids->GetComponent(point, 0)), point);
-    }
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
-
-  /// The points that lie in the box of another piece, by the cells of a grid that are at most Tolerance from them.
-  std::vector<Entry> SortedByPlaces() const
-  {
-    std::vector<Entry> sorted;
-    const std::vector<vtkBoundingBox> boxes = this->BoxesOfPieces();
-    for (vtkIdType point = 0; point < this->Joined->GetNumberOfPoints(); ++point)
-    {
-      const Place place = this->PlaceOf(point);
-      const std::size_t own = this->PieceOf(point);
-      for (std::size_t piece = 0; piece < boxes.size(); ++piece)
-      {
-        if (piece != own && boxes[piece].ContainsPoint(place.data()))
-        {
-          this->AddCells(point, place, sorted);
-          break;
-        }
-      }
-    }
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
-
-  std::vector<vtkBoundingBox> BoxesOfPieces() const
-  {
-    std::vector<vtkBoundingBox> boxes(this->Begins.size() - 1);
-    for (std::size_t piece = 0; piece < boxes.size(); ++piece)
-    {
-      for (vtkIdType point = this->Begins[piece]; point < this->Begins[piece + 1]; ++point)
-      {
-        const Place place = this->PlaceOf(point);
-        boxes[piece].AddPoint(place[0], place[1], place[2]);
-      }
-      boxes[piece].Inflate(2.0 * this->Tolerance);
-    }
-    return boxes;
-  }
-
-  void AddCells(vtkIdType point, const Place& place, std::vector<Entry>& entries) const
-  {
-    for (const std::uint64_t cell : NearPlaces::CellsAt(place, this->Tolerance))
-    {
-      entries.emplace_back(cell, point);
+      firsts[sorted[k]] = firsts[sorted[k - 1]];
     }
   }
+  return firsts;
+}
 
-  /// \param joined the points of groups of several. A point that cells use stands for ones that only ghosts have used.
-  std::vector<vtkIdType> Representatives(Groups& groups, std::vector<vtkIdType> joined) const
+std::vector<vtkBoundingBox> BoxesOfPieces(vtkDataSet* joined, const std::vector<vtkIdType>& begins, double margin)
+{
+  std::vector<vtkBoundingBox> boxes(begins.size() - 1);
+  for (std::size_t piece = 0; piece < boxes.size(); ++piece)
   {
-    std::vector<vtkIdType> representatives(this->IsUsed.size());
-    std::iota(representatives.begin(), representatives.end(), vtkIdType(0));
-    std::sort(joined.begin(), joined.end());
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    std::map<vtkIdType, std::vector<vtkIdType>> members;
-    for (const vtkIdType point : joined)
+    for (vtkIdType point = begins[piece]; point < begins[piece + 1]; ++point)
     {
-      members[groups.Of(point)].push_back(point);
+      boxes[piece].AddPoint(joined->GetPoint(point));
     }
-    for (const auto& [first, points] : members)
-    {
-      const auto ofOnePiece = [this](vtkIdType a, vtkIdType b) { return this->PieceOf(a) == this->PieceOf(b); };
-      if (!this->Ids && std::adjacent_find(points.begin(), points.end(), ofOnePiece) != points.end())
-      {
-        continue; // two of one piece are meant to be two
-      }
-      const auto used =
-        std::find_if(points.begin(), points.end(), [this](vtkIdType point) { return this->IsUsed[point] != 0; });
-      for (const vtkIdType point : points)
-      {
-        representatives[point] = used == points.end() ? first : *used;
-      }
-    }
-    return representatives;
+    boxes[piece].Inflate(margin);
   }
+  return boxes;
+}
 
-  vtkPointSet* const Joined;
-  vtkDataArray* const Ids;
-  const std::vector<vtkIdType> Begins;
-  std::vector<char> IsUsed;
-  const double Tolerance; ///< of places: some roundings
-};
+/// For each point the first one at the same place, but for some roundings. Only points in the box of another piece are looked at.
+std::vector<vtkIdType> FirstsByPlaces(vtkDataSet* joined, const std::vector<vtkIdType>& begins)
+{
+  double box[6];
+  joined->GetBounds(box);
+  const double largest =
+    std::abs(*std::max_element(box, box + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double tolerance = largest * RoundOffOfPoints(joined);
+  const std::vector<vtkBoundingBox> boxes = BoxesOfPieces(joined, begins, 2.0 * tolerance);
+  std::vector<NearPlaces::Place> places;
+  std::vector<vtkIdType> points;
+  for (vtkIdType point = 0; point < joined->GetNumberOfPoints(); ++point)
+  {
+    NearPlaces::Place place;
+    joined->GetPoint(point, place.data());
+    const auto contains = [&place](const vtkBoundingBox& each) { return each.ContainsPoint(place.data()) != 0; };
+    if (std::count_if(boxes.begin(), boxes.end(), contains) > 1) // one is its own
+    {
+      places.push_back(place);
+      points.push_back(point);
+    }
+  }
+  const NearPlaces near(places, tolerance);
+  std::vector<vtkIdType> firsts = AllNumbers(joined->GetNumberOfPoints());
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    firsts[points[k]] = firsts[points[near.First(places[k])]];
+  }
+  return firsts;
+}
+
+/// For each point the one that stands for it, used by cells if any of them is. Two of one piece at the same place are meant to be two.
+std::vector<vtkIdType> Representatives(vtkPointSet* joined, const std::vector<vtkIdType>& begins)
+{
+  vtkDataArray* const ids = joined->GetPointData()->GetGlobalIds();
+  std::vector<vtkIdType> firsts = ids ? FirstsByIds(ids) : FirstsByPlaces(joined, begins);
+  std::vector<char> isUsed(firsts.size(), 0);
+  ForCorners(joined,
+    [&isUsed](vtkIdType point)
+    {
+      isUsed[point] = 1;
+      return point;
+    });
+  std::map<vtkIdType, std::vector<vtkIdType>> groups; // of several points
+  for (vtkIdType point = 0; point < joined->GetNumberOfPoints(); ++point)
+  {
+    if (firsts[point] != point)
+    {
+      groups.emplace(firsts[point], std::vector<vtkIdType>{ firsts[point] }).first->second.push_back(point);
+    }
+  }
+  const auto areOfOnePiece = [&begins](vtkIdType a, vtkIdType b) { return PieceOf(a, begins) == PieceOf(b, begins); };
+  for (const auto& [first, points] : groups)
+  {
+    const bool areSeveral = !ids && std::adjacent_find(points.begin(), points.end(), areOfOnePiece) != points.end();
+    const auto used =
+      std::find_if(points.begin(), points.end(), [&isUsed](vtkIdType point) { return isUsed[point] != 0; });
+    for (const vtkIdType point : points)
+    {
+      firsts[point] = areSeveral ? point : used == points.end() ? first : *used;
+    }
+  }
+  return firsts;
+}
 
 /// Keeps the points that stand for themselves.
 void JoinPoints(vtkPointSet* joined, const std::vector<vtkIdType>& representatives)
@@ -445,7 +355,7 @@ vtkSmartPointer<vtkDataObject> JoinedPieces(const std::vector<vtkSmartPointer<vt
   }
   const vtkSmartPointer<vtkPointSet> joined = arePolyData ? Appended<vtkAppendPolyData, vtkPolyData>(pieces)
                                                           : Appended<vtkAppendFilter, vtkUnstructuredGrid>(pieces);
-  JoinPoints(joined, PointsOfPieces(joined, std::move(begins)).Representatives());
+  JoinPoints(joined, Representatives(joined, begins));
   return joined;
 }
 

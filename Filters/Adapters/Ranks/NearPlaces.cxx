@@ -17,8 +17,9 @@ double RoundOffOfPoints(vtkDataSet* dataset)
   return areSingle ? 4.0 * std::numeric_limits<float>::epsilon() : 8.0 * std::numeric_limits<double>::epsilon();
 }
 
-std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place, double tolerance)
+std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place) const
 {
+  const double tolerance = this->Tolerance;
   const double width = std::max(16.0 * tolerance, std::numeric_limits<double>::min());
   std::vector<std::uint64_t> cells;
   for (int corner = 0; corner < 8; ++corner)
@@ -38,10 +39,10 @@ std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place, double tolera
   return cells;
 }
 
-bool NearPlaces::AreNear(const Place& a, const Place& b, double tolerance)
+bool NearPlaces::AreNear(const Place& a, const Place& b) const
 {
   return std::equal(
-    a.begin(), a.end(), b.begin(), [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
+    a.begin(), a.end(), b.begin(), [this](double x, double y) { return std::abs(x - y) <= this->Tolerance; });
 }
 
 NearPlaces::NearPlaces(const std::vector<Place>& places, double tolerance)
@@ -50,7 +51,7 @@ NearPlaces::NearPlaces(const std::vector<Place>& places, double tolerance)
 {
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    for (const std::uint64_t cell : CellsAt(places[k], tolerance))
+    for (const std::uint64_t cell : this->CellsAt(places[k]))
     {
       this->Entries.emplace_back(cell, static_cast<int>(k));
     }
@@ -61,12 +62,12 @@ NearPlaces::NearPlaces(const std::vector<Place>& places, double tolerance)
 int NearPlaces::First(const Place& place) const
 {
   int first = -1;
-  for (const std::uint64_t cell : CellsAt(place, this->Tolerance))
+  for (const std::uint64_t cell : this->CellsAt(place))
   {
     auto entry = std::lower_bound(this->Entries.begin(), this->Entries.end(), std::pair(cell, 0));
     for (; entry != this->Entries.end() && entry->first == cell; ++entry)
     {
-      if ((first < 0 || entry->second < first) && AreNear(this->Places[entry->second], place, this->Tolerance))
+      if ((first < 0 || entry->second < first) && this->AreNear(this->Places[entry->second], place))
       {
         first = entry->second;
       }

@@ -20,18 +20,17 @@ class NearPlaces
 public:
   using Place = std::array<double, 3>;
 
-  /// The keys of the cells of a grid that are at most \p tolerance from a place. Two places that are as near as that share one.
-  static std::vector<std::uint64_t> CellsAt(const Place& place, double tolerance);
-  /// Whether no coordinates differ by more.
-  static bool AreNear(const Place& a, const Place& b, double tolerance);
-
-  /// Borrows the places. Cost: n log n.
+  /// Borrows the places. \param tolerance two are near each other if no coordinates differ by more. Cost: n log n.
   NearPlaces(const std::vector<Place>& places, double tolerance);
 
   /// The smallest number of a place near this one; -1 where there is none.
   int First(const Place& place) const;
 
 private:
+  /// The keys of the cells of a grid that are at most Tolerance from a place. Two places that are near each other share one.
+  std::vector<std::uint64_t> CellsAt(const Place& place) const;
+  bool AreNear(const Place& a, const Place& b) const;
+
   const std::vector<Place>& Places;
   const double Tolerance;
   std::vector<std::pair<std::uint64_t, int>> Entries;

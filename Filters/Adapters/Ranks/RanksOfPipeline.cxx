@@ -1,7 +1,5 @@
 #include "Adapters/Ranks/RanksOfPipeline.h"
 
-#include "Support/Errors.h"
-
 #include "vtkCharArray.h"
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
@@ -16,53 +14,45 @@ namespace dmg
 namespace
 {
 
-enum class Outcome
-{
-  Done,
-  Failed,
-  Stopped
-};
-
-Outcome OutcomeOf(const std::function<void()>& step, std::string& message)
-{
-  try
-  {
-    step();
-    return Outcome::Done;
-  }
-  catch (const Cancelled&)
-  {
-    return Outcome::Stopped;
-  }
-  catch (const std::bad_alloc&)
-  {
-    message = "there is not enough memory for this surface; use more ranks on more machines, or reduce the number of "
-              "triangles with Decimate (vtkDecimatePro)";
-    return Outcome::Failed;
-  }
-  catch (const std::exception& error)
-  {
-    message = error.what();
-    return Outcome::Failed;
-  }
-}
-
 constexpr int TagOfBytes = 4711; // any number that VTK itself does not use
+
+/// Null where there is one process.
+vtkMultiProcessController* ControllerOfSeveral()
+{
+  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
+  return all && all->GetNumberOfProcesses() > 1 ? all : nullptr;
+}
 
 }
 
 RanksOfPipeline::RanksOfPipeline()
-  : All(vtkMultiProcessController::GetGlobalController())
+  : Processes(ControllerOfSeveral() ? ControllerOfSeveral()->GetLocalProcessId() : 0,
+      ControllerOfSeveral() ? ControllerOfSeveral()->GetNumberOfProcesses() : 1)
+  , All(ControllerOfSeveral())
 {
-  if (this->All && this->All->GetNumberOfProcesses() > 1)
+}
+
+int RanksOfPipeline::Least(int here) const
+{
+  int least = here;
+  if (this->All)
   {
-    this->RankHere = this->All->GetLocalProcessId();
-    this->NumberOfRanks = this->All->GetNumberOfProcesses();
+    this->All->AllReduce(&here, &least, 1, vtkCommunicator::MIN_OP);
   }
-  else
+  return least;
+}
+
+std::string RanksOfPipeline::TextOf(int from, const std::string& here) const
+{
+  std::string text = here;
+  if (this->All)
   {
-    this->All = nullptr;
+    auto size = static_cast<vtkIdType>(here.size());
+    this->All->Broadcast(&size, 1, from);
+    text.resize(size);
+    this->All->Broadcast(text.data(), size, from);
   }
+  return text;
 }
 
 std::vector<long long> RanksOfPipeline::Gather(long long here) const
@@ -77,8 +67,7 @@ std::vector<long long> RanksOfPipeline::Gather(long long here) const
 
 bool RanksOfPipeline::AreAll(bool here) const
 {
-  const std::vector<long long> all = this->Gather(here ? 1LL : 0LL);
-  return std::all_of(all.begin(), all.end(), [](long long each) { return each == 1; });
+  return this->Least(here ? 1 : 0) == 1;
 }
 
 std::vector<std::string> RanksOfPipeline::Gather(const std::string& here) const
@@ -99,26 +88,6 @@ std::vector<std::string> RanksOfPipeline::Gather(const std::string& here) const
     texts.emplace_back(joined.data() + begins[rank], lengths[rank]);
   }
   return texts;
-}
-
-void RanksOfPipeline::Together(const std::function<void()>& step) const
-{
-  std::string message;
-  const Outcome outcome = OutcomeOf(step, message);
-  const std::vector<long long> outcomes = this->Gather(static_cast<long long>(outcome));
-  const auto isDone = [](long long each) { return each == static_cast<long long>(Outcome::Done); };
-  const auto first = std::find_if_not(outcomes.begin(), outcomes.end(), isDone);
-  if (first == outcomes.end())
-  {
-    return;
-  }
-  if (*first == static_cast<long long>(Outcome::Stopped))
-  {
-    throw Cancelled();
-  }
-  const int rank = static_cast<int>(first - outcomes.begin());
-  const std::string text = this->Gather(rank == this->Rank() ? message : std::string())[rank];
-  throw FailedTogether(rank == 0 ? text : "on rank " + std::to_string(rank) + ": " + text);
 }
 
 vtkSmartPointer<vtkCharArray> RanksOfPipeline::ToFirst(vtkCharArray* bytes, int from, long long size) const

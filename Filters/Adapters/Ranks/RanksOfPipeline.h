@@ -1,11 +1,10 @@
 #ifndef dmgRanksOfPipeline_h
 #define dmgRanksOfPipeline_h
 
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
+#include "Support/Processes.h"
 
-#include <functional>
-#include <stdexcept>
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
@@ -15,34 +14,18 @@ class vtkMultiProcessController;
 namespace dmg
 {
 
-/// A step has failed on some rank; all ranks throw this.
-class FailedTogether : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The processes of VTK's global controller, as those of a parallel ParaView. But for Rank and Size, every function is collective: all
-/// ranks call it, in the same order, from the thread that executes the pipeline.
-class RanksOfPipeline
+/// The processes of VTK's global controller, as those of a parallel ParaView. Functions are collective, from the thread that executes the
+/// pipeline.
+class RanksOfPipeline : public Processes
 {
 public:
   /// The ranks are those of the global controller; there may be none.
   RanksOfPipeline();
 
-  int Rank() const { return this->RankHere; }
-  int Size() const { return this->NumberOfRanks; }
-  /// Null where there is one process.
-  vtkMultiProcessController* Controller() const { return this->All; }
-
-  std::vector<std::string> Gather(const std::string& here) const;
+  std::vector<std::string> Gather(const std::string& here) const override;
   std::vector<long long> Gather(long long here) const;
   /// Whether all ranks say so.
   bool AreAll(bool here) const;
-
-  /// Runs a step that sends nothing. If it throws anywhere, all ranks throw: Cancelled, or FailedTogether with the message of the
-  /// lowest such rank. Otherwise the other ranks would wait for ever.
-  void Together(const std::function<void()>& step) const;
 
   /// Brings a text of bytes to rank 0. \param size on all ranks.
   /// \return the bytes on rank 0; null elsewhere.
@@ -51,10 +34,12 @@ public:
   /// Brings the bytes of rank 0 to all ranks.
   void FromFirst(vtkCharArray* bytes) const;
 
+protected:
+  int Least(int here) const override;
+  std::string TextOf(int from, const std::string& here) const override;
+
 private:
-  vtkMultiProcessController* All;
-  int RankHere = 0;
-  int NumberOfRanks = 1;
+  vtkMultiProcessController* const All; ///< null where there is one process
 };
 
 }

@@ -29,8 +29,7 @@ bool AreAllOfMpi(const RanksOfPipeline& ranks)
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &size);
   }
-  const std::vector<long long> are = ranks.Gather(rank == ranks.Rank() && size == ranks.Size() ? 1LL : 0LL);
-  return std::all_of(are.begin(), are.end(), [](long long each) { return each == 1; });
+  return ranks.AreAll(rank == ranks.Rank() && size == ranks.Size());
 }
 
 /// The vertices of a mesh that a seam may run through.
@@ -100,14 +99,15 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
   const bool isEmpty = input->GetNumberOfCells() == 0;
   std::string digest;
   ranks.Together([&] { digest = isEmpty ? "none" : ContentDigest(input, preparation); });
-  const std::vector<long long> are = ranks.Gather(digest == this->Digest ? 1LL : 0LL);
-  if (std::all_of(are.begin(), are.end(), [](long long each) { return each == 1; }))
+  if (ranks.AreAll(digest == this->Digest))
   {
     return this->Reason;
   }
   this->FormerCounts = this->Counts();
   this->SolverOfMeshes.reset();
+  this->OwnSurface.reset();
   this->Digest.clear();
+  ++this->NumberOfSurface;
   if (!AreAllOfMpi(ranks))
   {
     return "the ranks of VTK's controller are not those of MPI";
@@ -144,7 +144,11 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
     ranks.Together(
       [&]
       {
-        this->OwnGeometry = isEmpty ? nullptr : std::make_unique<const FramedMesh>(std::move(mesh->Mesh), context);
+        if (!isEmpty)
+        {
+          this->OwnGeometry = std::make_unique<const FramedMesh>(std::move(mesh->Mesh), context);
+          this->OwnSurface.emplace(FramedSurface{ *this->OwnGeometry, this->OwnRelation });
+        }
         this->Relate(static_cast<int>(input->GetNumberOfCells()), static_cast<int>(input->GetNumberOfPoints()));
       });
   }
@@ -156,11 +160,6 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
 void SolverOfPieces::Relate(int numberOfCells, int numberOfPoints)
 {
   const PieceOfSurface& part = this->SolverOfMeshes->Piece();
-  if (part.IsEmpty())
-  {
-    this->Relation = SurfaceRelation();
-    return;
-  }
   const SurfaceRelation& piece = this->OwnRelation;
   const TriangleMesh& mesh = part.Surface().Mesh;
   std::vector<int> cells(mesh.NumberOfFaces(), -1);

@@ -2,11 +2,12 @@
 #define dmgSolverOfPieces_h
 
 #include "Adapters/Ranks/RanksOfPipeline.h"
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/Surface/SolverOfDataSet.h"
 #include "Pieces/FieldSolverInPieces.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 class vtkDataSet;
@@ -16,31 +17,30 @@ namespace dmg
 
 /// A FieldSolverInPieces for the datasets of all ranks, each of which has a piece of a surface. A filter keeps it from one execution to
 /// the next, as a SolverOfSurface. Keys are contents. Functions that are not const are collective.
-class SolverOfPieces
+class SolverOfPieces : public SolverOfDataSet
 {
 public:
   /// Takes another surface, if the content of a piece is another on any rank.
   /// \param input of this rank; without cells where it has no piece.
   /// \return the reason why the pieces cannot be joined where they are; empty where they are.
-  /// \throw FailedTogether as MeshFromDataSet
+  /// \throw InvalidInput as MeshFromDataSet
   /// \throw Cancelled
   std::string SetSurface(const RanksOfPipeline& ranks, vtkDataSet* input, const PreparationOptions& preparation,
     const ExecutionContext& context);
 
   /// \pre SetSurface has returned no reason; so all others.
   FieldSolverInPieces& Solver() { return *this->SolverOfMeshes; }
-  /// Whether this rank has triangles. Else there is no Surface.
-  bool HasSurface() const { return !this->SolverOfMeshes->Piece().IsEmpty(); }
-  /// The triangles of this rank alone, as constraints are numbered.
-  FramedSurface Own() const { return { *this->OwnGeometry, this->OwnRelation }; }
-  /// The triangles of this rank, with those around them of others, which are no part of any cell: fields are on these.
-  FramedSurface Surface() const { return { this->SolverOfMeshes->Piece().Surface(), this->Relation }; }
-  const PreparationReport& Preparation() const { return this->PreparationOfPiece; }
+  /// The triangles of this rank alone, as constraints are numbered; null where it has none.
+  const FramedSurface* Own() const { return this->OwnSurface ? &*this->OwnSurface : nullptr; }
+
+  /// The triangles of this rank, with those around them of others, which are no part of any cell.
+  FramedSurface Surface() const override { return { this->SolverOfMeshes->Piece().Surface(), this->Relation }; }
+  const PreparationReport& Preparation() const override { return this->PreparationOfPiece; }
+  int Number() const override { return this->NumberOfSurface; }
+  double SetupSeconds(const Field& field) const override;
 
   /// Over all surfaces.
   StageCounts Counts() const;
-  /// The sum over the surface and the set-up of a field on it.
-  double SetupSeconds(const Field& field) const;
 
 private:
   void Relate(int numberOfCells, int numberOfPoints);
@@ -49,9 +49,11 @@ private:
   std::string Reason;
   std::unique_ptr<const FramedMesh> OwnGeometry;
   SurfaceRelation OwnRelation;
+  std::optional<const FramedSurface> OwnSurface; ///< refers to these
   SurfaceRelation Relation;
   PreparationReport PreparationOfPiece;
   std::unique_ptr<FieldSolverInPieces> SolverOfMeshes;
+  int NumberOfSurface = 0;
   double SurfaceSeconds = 0.0;
   StageCounts FormerCounts;
 };

@@ -1,8 +1,8 @@
 #ifndef dmgSolverOfSurface_h
 #define dmgSolverOfSurface_h
 
-#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
+#include "Adapters/Surface/SolverOfDataSet.h"
 #include "FieldSolver.h"
 #include "Support/ExecutionContext.h"
 
@@ -17,8 +17,8 @@ namespace dmg
 {
 
 /// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
-/// the surface brings along. Keys are contents, not modification times.
-class SolverOfSurface
+/// the surface brings along.
+class SolverOfSurface : public SolverOfDataSet
 {
 public:
   /// Takes another surface, if its content is another, and the operators that it brings along if the solver wants them
@@ -30,16 +30,13 @@ public:
 
   FieldSolver& Solver() { return *this->SolverOfMesh; }
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
-  FramedSurface Surface() const { return { this->SolverOfMesh->Surface(), this->Relation }; }
-  /// The changes that made the surface a mesh.
-  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
-  /// Another one for each surface.
-  int Number() const { return this->NumberOfSurface; }
+  FramedSurface Surface() const override { return { this->SolverOfMesh->Surface(), this->Relation }; }
+  const PreparationReport& Preparation() const override { return this->PreparationOfSurface; }
+  int Number() const override { return this->NumberOfSurface; }
+  double SetupSeconds(const Field& field) const override;
 
   /// Over all surfaces.
   StageCounts Counts() const;
-  /// The sum over the surface, its operators, and the set-up of a field on it.
-  double SetupSeconds(const Field& field) const;
 
 private:
   std::shared_ptr<const ProlongationOperators> Operators(vtkDataSet* input, const OperatorsOrigin& origin);

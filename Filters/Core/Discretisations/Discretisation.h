@@ -20,6 +20,8 @@
 namespace dmg
 {
 
+class VertexDiscretisation;
+
 /// The elements of a surface that hold values.
 enum class ElementKind
 {
@@ -118,6 +120,8 @@ public:
   virtual int NumberOfEquations() const { return this->NumberOfUnknowns(); }
   /// Directions per point.
   virtual int DirectionsPerPoint() const { return 1; }
+  /// This, where unknowns stand at vertices; else null. Only such fields are solved for in pieces (FieldSolverInPieces).
+  virtual const VertexDiscretisation* AtVertices() const { return nullptr; }
 
   // The smoothness energy and its solvers. ---------------------------------------------------------------
 

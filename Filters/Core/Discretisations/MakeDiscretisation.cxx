@@ -29,6 +29,20 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
   }
 }
 
+std::string ReasonForOneProcess(const DiscretisationOptions& options)
+{
+  switch (options.Kind)
+  {
+    case DiscretisationKind::FaceField:
+    case DiscretisationKind::OneForm:
+      return "flows are found on one process";
+    case DiscretisationKind::PowerField:
+      return "power fields on faces are found on one process, unlike those at points";
+    default:
+      return "";
+  }
+}
+
 DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options)
 {
   DiscretisationOptions counting;

@@ -17,6 +17,10 @@ namespace dmg
 std::unique_ptr<const Discretisation> MakeDiscretisation(
   const DiscretisationOptions& options, const FramedMesh& surface, const VertexConnection* connection = nullptr);
 
+/// The reason why fields of this kind are found on one process alone: a clause for a user. Empty where they are found in pieces, too
+/// (Discretisation::AtVertices).
+std::string ReasonForOneProcess(const DiscretisationOptions& options);
+
 /// The options with all that this kind does not look at as they are by default: equal where the discretisations are the same.
 DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options);
 

@@ -1,17 +1,14 @@
 #include "Discretisations/ScalarFunction.h"
 
-#include "Discretisations/WeightedMeans.h"
 #include "Operators/CotangentLaplacian.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
-#include "Support/ShortText.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -94,7 +91,7 @@ void AddPinned(FieldConstraints& constraints)
 }
 
 ScalarFunction::ScalarFunction(const FramedMesh& surface, VertexAreas areas)
-  : Discretisation(surface)
+  : VertexDiscretisation(surface)
   , Areas(areas)
   , Components(VertexComponents(surface.Mesh))
 {
@@ -141,6 +138,17 @@ SolverTuning ScalarFunction::Tuning() const
   return tuning;
 }
 
+SparseMatrix<Complex> ScalarFunction::Stiffness(const ExecutionContext& context) const
+{
+  return CotangentLaplacian(this->Surface.Mesh, context).cast<Complex>();
+}
+
+SparseMatrix<Complex> ScalarFunction::ProlongationOfUnknowns(
+  const TransportOperator& transport, const ExecutionContext&) const
+{
+  return transport.cwiseAbs().cast<Complex>();
+}
+
 FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const ElementNames& names) const
 {
   if (given.Values.empty() && given.Source.size() == 0)
@@ -148,7 +156,7 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
     throw InvalidInput("no value is prescribed, so the function of least smoothness energy is zero; " +
       TextOf(Remedy::PrescribedValues));
   }
-  FieldConstraints constraints = this->ConstraintsOfValues(given.Values, names);
+  FieldConstraints constraints = this->MeansOf(this->SumsAtVertices(given, {}, names));
   if (given.Source.size() > 0)
   {
     this->AddSource(given, names, constraints);
@@ -156,47 +164,23 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
   return constraints;
 }
 
-FieldConstraints ScalarFunction::ConstraintsOfValues(
-  const std::vector<ValueConstraint>& values, const ElementNames& names) const
+std::vector<PowerAtVertex> ScalarFunction::SumsAtVertices(
+  const Constraints& constraints, const std::vector<char>&, const ElementNames& names) const
 {
-  std::vector<WeightedValue<double>> weighted;
-  for (const auto& [vertex, value, weight] : values)
+  std::vector<PowerAtVertex> sums(this->Surface.Mesh.NumberOfVertices());
+  for (const ValueConstraint& value : constraints.Values)
   {
-    CheckElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
-    if (!std::isfinite(value) || !(weight > 0.0) || !std::isfinite(weight))
-    {
-      throw InvalidInput("the value " + ShortText(value) + " with the weight " + ShortText(weight) +
-        ", prescribed on " + names.Vertex(vertex) +
-        ", is not finite or its weight not positive; repair it, or leave the point out, " +
-        TextOf(Remedy::MaskOfValues));
-    }
-    weighted.push_back({ vertex, value, weight });
+    CheckElement(value.Vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
+    CheckValue(value, names.Vertex(value.Vertex));
+    sums[value.Vertex].Add(value.Weight, value.Value);
   }
-  return MeansByElement(std::move(weighted));
-}
-
-Discretisation::IntegralWeights ScalarFunction::WeightsOfIntegral() const
-{
-  const double meanArea = this->Mass(SerialContext()).mean();
-  return { meanArea, meanArea };
+  return sums;
 }
 
 void ScalarFunction::AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const
 {
   const TriangleMesh& mesh = this->Surface.Mesh;
-  if (given.Source.size() != mesh.NumberOfVertices())
-  {
-    throw InvalidInput("the source has " + std::to_string(given.Source.size()) +
-      " numbers in place of one for each of the " + std::to_string(mesh.NumberOfVertices()) + " vertices");
-  }
-  for (int vertex = 0; vertex < given.Source.size(); ++vertex)
-  {
-    if (!(std::abs(given.Source[vertex]) <= LargestPrescribed))
-    {
-      throw InvalidInput("the source is " + ShortText(given.Source[vertex]) + " at " + names.Vertex(vertex) +
-        ", which is not finite or too large; repair it");
-    }
-  }
+  CheckSource(given.Source, mesh.NumberOfVertices(), names);
   constraints.Source = IntegratedSource(mesh, given.Source);
   this->PinFree(given.Net, constraints);
 }
@@ -224,13 +208,6 @@ void ScalarFunction::CentreFree(const FieldConstraints& constraints, Vector<doub
 void ScalarFunction::VanishAtPinned(const FieldConstraints& constraints, Vector<double>& unknowns) const
 {
   FreeComponents::Of(this->Components, constraints.Pinned).VanishAt(constraints.Pinned, unknowns);
-}
-
-Vector<double> ScalarFunction::PenaltiesOfElements(
-  const std::vector<int>& vertices, const ExecutionContext& context) const
-{
-  const Vector<double> areas = this->Mass(context);
-  return areas(vertices) / areas.mean();
 }
 
 FieldPowers ScalarFunction::Powers(

@@ -1,7 +1,7 @@
 #ifndef dmgScalarFunction_h
 #define dmgScalarFunction_h
 
-#include "Discretisations/Discretisation.h"
+#include "Discretisations/VertexDiscretisation.h"
 
 namespace dmg
 {
@@ -16,7 +16,7 @@ namespace dmg
 ///
 /// Solved by cycles on the assembled matrix, two in a row. Coarse functions live at the samples of the linear levels: a vertex takes the mean
 /// over its faces of what these take from the samples; or at the vertices of decimated levels, by S0.
-class ScalarFunction : public Discretisation
+class ScalarFunction : public VertexDiscretisation
 {
 public:
   /// \param areas Star0.
@@ -26,7 +26,6 @@ public:
   {
     return this->Areas == VertexAreas::MixedVoronoi ? "functions" : "functions with barycentric areas";
   }
-  ElementKind Elements() const override { return ElementKind::Vertices; }
   int UnknownsPerElement() const override { return 1; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
@@ -40,6 +39,14 @@ public:
   OperatorSelection StructurePreservingOperators() const override { return { false, false, false }; }
   std::string NameOfLevels() const override { return "levels of functions"; }
   SolverTuning Tuning() const override;
+
+  Vector<double> AreasOfVertices(const ExecutionContext& context) const override { return this->Mass(context); }
+  SparseMatrix<Complex> Stiffness(const ExecutionContext& context) const override;
+  SparseMatrix<Complex> ProlongationOfUnknowns(
+    const TransportOperator& transport, const ExecutionContext& context) const override;
+  /// Of values alone.
+  std::vector<PowerAtVertex> SumsAtVertices(
+    const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names) const override;
 
   /// Takes the prescribed values and the source, not the directions; values at one vertex are averaged by weight. On a component with a
   /// source and without values, u has a mean of zero.
@@ -61,13 +68,8 @@ public:
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
   std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
   Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
-  IntegralWeights WeightsOfIntegral() const override;
-
-protected:
-  Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
-  FieldConstraints ConstraintsOfValues(const std::vector<ValueConstraint>& values, const ElementNames& names) const;
   void AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const;
 
   const VertexAreas Areas;

@@ -2,7 +2,12 @@
 
 #include "Operators/ConnectionLaplacian.h"
 
+#include "Support/Errors.h"
+#include "Support/Remedy.h"
+#include "Support/ShortText.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace dmg
 {
@@ -23,6 +28,33 @@ double PartOfCorner(int corner, int side)
   return corner == (side + 2) % 3 ? 0.0 : 0.5;
 }
 
+}
+
+void CheckValue(const ValueConstraint& value, const std::string& name)
+{
+  if (!std::isfinite(value.Value) || !(value.Weight > 0.0) || !std::isfinite(value.Weight))
+  {
+    throw InvalidInput("the value " + ShortText(value.Value) + " with the weight " + ShortText(value.Weight) +
+      ", prescribed on " + name + ", is not finite or its weight not positive; repair it, or leave the point out, " +
+      TextOf(Remedy::MaskOfValues));
+  }
+}
+
+void CheckSource(const Vector<double>& source, int numberOfVertices, const ElementNames& names)
+{
+  if (source.size() != numberOfVertices)
+  {
+    throw InvalidInput("the source has " + std::to_string(source.size()) + " numbers in place of one for each of the " +
+      std::to_string(numberOfVertices) + " vertices");
+  }
+  for (int vertex = 0; vertex < numberOfVertices; ++vertex)
+  {
+    if (!(std::abs(source[vertex]) <= LargestPrescribed))
+    {
+      throw InvalidInput("the source is " + ShortText(source[vertex]) + " at " + names.Vertex(vertex) +
+        ", which is not finite or too large; repair it");
+    }
+  }
 }
 
 std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces)

@@ -5,6 +5,7 @@
 #include "Mesh/FramedMesh.h"
 #include "Mesh/VertexConnection.h"
 
+#include <string>
 #include <vector>
 
 namespace dmg
@@ -22,6 +23,12 @@ struct PowerAtVertex
     this->Power += weight * power;
   }
 };
+
+/// Checks a value of a function. \param name of its vertex.
+/// \throw InvalidInput it is not finite, or its weight not positive.
+void CheckValue(const ValueConstraint& value, const std::string& name);
+/// \throw InvalidInput there is not one number for each vertex, or one is not finite or too large.
+void CheckSource(const Vector<double>& source, int numberOfVertices, const ElementNames& names);
 
 /// Vertices with directions on all faces around. On the boundary of a region with directions on faces, a vertex has them on one side
 /// only. Their mean is then the direction half an edge inside of the region.

@@ -62,29 +62,10 @@ TransportOperator WithTurns(
     });
 }
 
-FieldConstraints MeansOf(const std::vector<PowerAtVertex>& sums)
-{
-  FieldConstraints constraints;
-  Vector<Complex> values(static_cast<Eigen::Index>(sums.size()));
-  Eigen::Index count = 0;
-  for (std::size_t vertex = 0; vertex < sums.size(); ++vertex)
-  {
-    if (sums[vertex].Weight > 0.0)
-    {
-      constraints.Elements.push_back(static_cast<int>(vertex));
-      constraints.Weights.push_back(sums[vertex].Weight);
-      values[count++] = sums[vertex].Power / sums[vertex].Weight;
-    }
-  }
-  values.conservativeResize(count);
-  constraints.Values = AsPairs(values);
-  return constraints;
-}
-
 }
 
 VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions, const VertexConnection* connection)
-  : Discretisation(surface)
+  : VertexDiscretisation(surface)
   , N(directions)
   , Given(connection)
 {
@@ -109,7 +90,7 @@ const VertexConnection& VertexPowerField::Connection(const ExecutionContext& con
 
 Vector<double> VertexPowerField::Mass(const ExecutionContext& context) const
 {
-  const Vector<double> areas = LumpedMass(this->Surface.Mesh, context);
+  const Vector<double> areas = this->AreasOfVertices(context);
   const double meanArea = areas.mean();
   return meanArea > 0.0 ? Vector<double>(areas / meanArea) : Vector<double>::Ones(areas.size());
 }
@@ -148,8 +129,24 @@ std::unique_ptr<const StiffnessHierarchy> VertexPowerField::Assemble(
     CheckOperators(!operators->Linear.empty(), Remedy::PowerFieldOperators);
     prolongations = this->ProlongationsOfPowers(*operators, context);
   }
-  SparseMatrix<Complex> L = ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
+  SparseMatrix<Complex> L = this->Stiffness(context);
   return std::make_unique<AssembledHierarchy<Complex>>(L, std::move(prolongations));
+}
+
+Vector<double> VertexPowerField::AreasOfVertices(const ExecutionContext& context) const
+{
+  return LumpedMass(this->Surface.Mesh, context);
+}
+
+SparseMatrix<Complex> VertexPowerField::Stiffness(const ExecutionContext& context) const
+{
+  return ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
+}
+
+SparseMatrix<Complex> VertexPowerField::ProlongationOfUnknowns(
+  const TransportOperator& transport, const ExecutionContext& context) const
+{
+  return OnPowers(transport, this->N, context);
 }
 
 std::vector<SparseMatrix<Complex>> VertexPowerField::ProlongationsOfPowers(
@@ -180,20 +177,14 @@ SolverTuning VertexPowerField::Tuning() const
 
 FieldConstraints VertexPowerField::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
-  return MeansOf(PowersAtVertices(this->Surface, this->Connection(SerialContext()), this->N, constraints,
-    SurroundedVertices(this->Surface.Mesh, constraints.OnFaces), names));
+  return this->MeansOf(
+    this->SumsAtVertices(constraints, SurroundedVertices(this->Surface.Mesh, constraints.OnFaces), names));
 }
 
-Discretisation::IntegralWeights VertexPowerField::WeightsOfIntegral() const
+std::vector<PowerAtVertex> VertexPowerField::SumsAtVertices(
+  const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names) const
 {
-  const double meanArea = LumpedMass(this->Surface.Mesh).mean();
-  return { meanArea, meanArea };
-}
-
-Vector<double> VertexPowerField::PenaltiesOfElements(
-  const std::vector<int>& vertices, const ExecutionContext& context) const
-{
-  return this->Mass(context)(vertices);
+  return PowersAtVertices(this->Surface, this->Connection(SerialContext()), this->N, constraints, isSurrounded, names);
 }
 
 Vector<Complex> VertexPowerField::PowersOfFaces(const Vector<double>& unknowns, const ExecutionContext& context) const

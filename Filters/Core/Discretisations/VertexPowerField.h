@@ -1,7 +1,7 @@
 #ifndef dmgVertexPowerField_h
 #define dmgVertexPowerField_h
 
-#include "Discretisations/Discretisation.h"
+#include "Discretisations/VertexDiscretisation.h"
 #include "Mesh/VertexConnection.h"
 
 #include <memory>
@@ -20,21 +20,16 @@ namespace dmg
 /// side with half of it.
 ///
 /// Solved by LaplacianHierarchy, its coarse levels N-th powers at samples of the vertices.
-class VertexPowerField : public Discretisation
+class VertexPowerField : public VertexDiscretisation
 {
 public:
-  /// SampleDistance() of all of them.
-  static constexpr double DistanceOfSamples = 2.5;
-
   /// \param N 1 to 8.
   /// \param connection of the surface, which is borrowed; null: it is made when it is needed.
   /// \throw InvalidInput N is out of range.
   VertexPowerField(const FramedMesh& surface, int N, const VertexConnection* connection = nullptr);
 
   std::string Name() const override;
-  ElementKind Elements() const override { return ElementKind::Vertices; }
   int UnknownsPerElement() const override { return 2; }
-  int NumberOfEquations() const override { return this->NumberOfElements(); }
   int DirectionsPerPoint() const override { return this->N; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
@@ -48,6 +43,14 @@ public:
   double SampleDistance() const override;
   SolverTuning Tuning() const override;
 
+  Vector<double> AreasOfVertices(const ExecutionContext& context) const override;
+  SparseMatrix<Complex> Stiffness(const ExecutionContext& context) const override;
+  SparseMatrix<Complex> ProlongationOfUnknowns(
+    const TransportOperator& transport, const ExecutionContext& context) const override;
+  /// N-th powers of directions.
+  std::vector<PowerAtVertex> SumsAtVertices(
+    const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names) const override;
+
   FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   FieldPowers Powers(
@@ -58,10 +61,6 @@ public:
   }
   std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
   Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
-  IntegralWeights WeightsOfIntegral() const override;
-
-protected:
-  Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
   /// Made when it is first asked for, unless it was given.

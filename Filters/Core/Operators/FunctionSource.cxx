@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dmg
 {
@@ -61,13 +62,26 @@ std::vector<int> VertexComponents(const TriangleMesh& mesh)
 }
 
 FreeComponents::FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed)
-  : Components(components)
-  , AreFree(*std::max_element(components.begin(), components.end()) + 1, 1)
+  : FreeComponents(components, *std::max_element(components.begin(), components.end()) + 1, prescribed, {})
 {
+}
+
+FreeComponents::FreeComponents(
+  const std::vector<int>& components, int bound, const std::vector<int>& prescribed, SumOverProcesses sum)
+  : Components(components)
+  , Sum(std::move(sum))
+  , AreFree(bound, 1)
+{
+  Vector<double> holding = Vector<double>::Zero(bound); // vertices
   for (const int vertex : prescribed)
   {
-    this->AreFree[components[vertex]] = 0;
+    ++holding[components[vertex]];
   }
+  if (this->Sum)
+  {
+    this->Sum(holding.data(), bound);
+  }
+  std::transform(holding.begin(), holding.end(), this->AreFree.begin(), [](double number) { return number == 0.0; });
 }
 
 FreeComponents FreeComponents::Of(const std::vector<int>& components, const std::vector<int>& vertices)
@@ -108,6 +122,10 @@ Vector<double> FreeComponents::Sums(const Vector<double>& numbers) const
   {
     const int component = this->Components[vertex];
     sums[component] += this->AreFree[component] ? numbers[vertex] : 0.0;
+  }
+  if (this->Sum)
+  {
+    this->Sum(sums.data(), static_cast<int>(sums.size()));
   }
   return sums;
 }

@@ -2,6 +2,7 @@
 #define dmgFunctionSource_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Support/SumOverProcesses.h"
 #include "Support/Types.h"
 
 #include <string>
@@ -38,9 +39,14 @@ public:
   /// \param components of vertices; borrowed.
   /// \param prescribed vertices.
   FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed);
-  /// The free components of some vertices.
+  /// On a surface that is spread over several processes; functions that sum are collective.
+  /// \param components of the vertices of this process; below \p bound, by numbers that all processes agree on.
+  FreeComponents(
+    const std::vector<int>& components, int bound, const std::vector<int>& prescribed, SumOverProcesses sum);
+  /// Those of some vertices.
   static FreeComponents Of(const std::vector<int>& components, const std::vector<int>& vertices);
 
+  bool IsFree(int component) const { return this->AreFree[component] != 0; }
   bool AreAny() const;
   /// The first vertex of each, ascending.
   std::vector<int> FirstVertices() const;
@@ -55,11 +61,12 @@ public:
   /// \param vertices one of each.
   void VanishAt(const std::vector<int>& vertices, Vector<double>& u) const;
 
-private:
-  /// Sums over each; zero for other components.
+  /// Sums of numbers of the vertices over each; zero for other components.
   Vector<double> Sums(const Vector<double>& numbers) const;
 
+private:
   const std::vector<int>& Components;
+  const SumOverProcesses Sum;
   std::vector<char> AreFree; ///< by component
 };
 

@@ -100,11 +100,8 @@ std::vector<int> TurnsOfParts(const std::vector<Touch>& touches, int parts, int 
 void TakeDirectionsOfOwners(const PieceOfSurface& piece, Field& field)
 {
   const std::vector<Complex> ofOwners =
-    piece.GhostVertices().Fetch<Complex>([&](int number) { return field.AtVertices[piece.FirstOwned() + number]; });
-  for (std::size_t k = 0; k < ofOwners.size(); ++k)
-  {
-    field.AtVertices[piece.NotOwned()[k]] = ofOwners[k];
-  }
+    piece.WithGhosts<Complex>(field.AtVertices.segment(piece.FirstOwned(), piece.NumberOfOwned()));
+  std::copy(ofOwners.begin(), ofOwners.end(), field.AtVertices.begin());
 }
 
 }
@@ -112,13 +109,8 @@ void TakeDirectionsOfOwners(const PieceOfSurface& piece, Field& field)
 void CombOverSeams(const PieceOfSurface& piece, Field& field)
 {
   const Ranks& ranks = piece.Everyone();
-  std::vector<int> partsOfFaces;
-  int parts = 0;
-  if (!piece.IsEmpty())
-  {
-    partsOfFaces = FaceComponents(piece.Surface().Mesh);
-    parts = 1 + *std::max_element(partsOfFaces.begin(), partsOfFaces.end());
-  }
+  const std::vector<int> partsOfFaces = FaceComponents(piece.Surface().Mesh);
+  const int parts = 1 + *std::max_element(partsOfFaces.begin(), partsOfFaces.end());
   const int first = static_cast<int>(ranks.SumBefore(static_cast<long long>(parts)));
   const int all = static_cast<int>(ranks.Sum(static_cast<long long>(parts)));
   const std::vector<int> turns =

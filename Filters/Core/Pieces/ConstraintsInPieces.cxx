@@ -1,7 +1,5 @@
 #include "Pieces/ConstraintsInPieces.h"
 
-#include "Operators/ConnectionLaplacian.h"
-#include "Operators/ExteriorCalculus.h"
 #include "Pieces/CurvaturesInPieces.h"
 #include "Pieces/GuidesInPieces.h"
 
@@ -47,12 +45,12 @@ SurfaceSizes SizesOf(const PieceOfSurface& piece)
   return sizes;
 }
 
-FollowedConstraints ConstraintsInPieces::Follow(
-  const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
+double MeanAreaOfVertices(const PieceOfSurface& piece, const VertexDiscretisation& fields)
 {
-  this->Field = problem.Options.Field;
-  const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
-  return this->ProblemConstraints::Follow(problem, isFunction ? 1 : this->Field.N, context, names);
+  double sum = 0.0;
+  piece.Everyone().Together(
+    [&] { sum = fields.AreasOfVertices(SerialContext()).segment(piece.FirstOwned(), piece.NumberOfOwned()).sum(); });
+  return piece.Everyone().Sum(sum) / static_cast<double>(piece.GlobalNumberOfVertices());
 }
 
 SurfaceSizes ConstraintsInPieces::Sizes()
@@ -64,21 +62,9 @@ SurfaceSizes ConstraintsInPieces::Sizes()
   return *this->SizesOfSurface;
 }
 
-Discretisation::IntegralWeights ConstraintsInPieces::WeightsOfIntegral()
+Discretisation::IntegralWeights ConstraintsInPieces::WeightsOfIntegral(const Discretisation& discretisation)
 {
-  const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
-  double sum = 0.0;
-  this->Piece.Everyone().Together(
-    [&]
-    {
-      if (!this->Piece.IsEmpty())
-      {
-        const TriangleMesh& mesh = this->Piece.Surface().Mesh;
-        const Vector<double> areas = isFunction ? Star0(mesh, this->Field.Areas) : LumpedMass(mesh);
-        sum = areas.segment(this->Piece.FirstOwned(), this->Piece.NumberOfOwned()).sum();
-      }
-    });
-  const double mean = this->Piece.Everyone().Sum(sum) / static_cast<double>(this->Piece.GlobalNumberOfVertices());
+  const double mean = MeanAreaOfVertices(this->Piece, *discretisation.AtVertices());
   return { mean, mean };
 }
 
@@ -88,12 +74,12 @@ FollowedGuides ConstraintsInPieces::DirectionsOfGuides(const Guides& guides, con
   this->Piece.Everyone().Together(
     [&]
     {
-      if (!this->Places && !this->Piece.IsEmpty())
+      if (!this->Places)
       {
         this->Places = std::make_unique<const NearestPlaces>(this->Piece.Surface(), sizes);
       }
     });
-  return FollowGuidesInPieces(guides, this->Piece, this->Places.get(), sizes, context);
+  return FollowGuidesInPieces(guides, this->Piece, *this->Places, sizes, context);
 }
 
 /// The directions on own triangles, in the numbers of these.
@@ -127,11 +113,8 @@ FollowedFeatures ConstraintsInPieces::DirectionsOfFeatures(
       ranks.Together(
         [&]
         {
-          if (!this->Piece.IsEmpty())
-          {
-            const FramedMesh& surface = this->Piece.Surface();
-            own = this->OnOwn(AlongFeature(feature, surface, WeightsOfFaces(surface.Mesh, sizes), options, curvatures));
-          }
+          const FramedMesh& surface = this->Piece.Surface();
+          own = this->OnOwn(AlongFeature(feature, surface, WeightsOfFaces(surface.Mesh, sizes), options, curvatures));
         });
       directions.insert(directions.end(), own.begin(), own.end());
       return ranks.Any(!own.empty());

@@ -2,6 +2,7 @@
 #define dmgConstraintsInPieces_h
 
 #include "Constraints/NearestPlaces.h"
+#include "Discretisations/VertexDiscretisation.h"
 #include "Pieces/PieceOfSurface.h"
 #include "ProblemConstraints.h"
 
@@ -15,8 +16,11 @@ namespace dmg
 /// The sizes of a whole surface in pieces. Collective.
 SurfaceSizes SizesOf(const PieceOfSurface& piece);
 
-/// The constraints of a problem on a surface in pieces: on own triangles, counted from 0, and at points of the piece. It keeps what
-/// ConstraintsOnMesh keeps. All functions are collective.
+/// The mean area of a vertex of the whole surface. Collective.
+double MeanAreaOfVertices(const PieceOfSurface& piece, const VertexDiscretisation& fields);
+
+/// The constraints of a problem on a surface in pieces: on own triangles, counted from 0, and at points of the piece. The problem is the
+/// same on all ranks, but for Constraints and Rotation. Keeps what ConstraintsOnMesh keeps. All functions are collective.
 class ConstraintsInPieces : public ProblemConstraints
 {
 public:
@@ -26,12 +30,9 @@ public:
   {
   }
 
-  /// \param problem the same on all ranks, but for Constraints and Rotation.
-  FollowedConstraints Follow(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names);
-
 protected:
   SurfaceSizes Sizes() override;
-  Discretisation::IntegralWeights WeightsOfIntegral() override;
+  Discretisation::IntegralWeights WeightsOfIntegral(const Discretisation& discretisation) override;
   FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
   FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
   void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
@@ -43,7 +44,6 @@ private:
   std::vector<Constraint> OnOwn(std::vector<Constraint> onMesh) const;
 
   const PieceOfSurface& Piece;
-  DiscretisationOptions Field; ///< of the problem at hand
   std::optional<SurfaceSizes> SizesOfSurface;
   std::unique_ptr<const NearestPlaces> Places;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;

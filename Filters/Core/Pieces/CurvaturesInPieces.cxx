@@ -183,15 +183,12 @@ std::vector<BendOfPart> BendsAtOwned(const PieceOfSurface& piece, const Executio
   piece.Everyone().Together(
     [&]
     {
-      if (!piece.IsEmpty())
+      Points normals(piece.NumberOfVertices(), 3);
+      for (int vertex = 0; vertex < piece.NumberOfVertices(); ++vertex)
       {
-        Points normals(piece.NumberOfVertices(), 3);
-        for (int vertex = 0; vertex < piece.NumberOfVertices(); ++vertex)
-        {
-          normals.row(vertex) = Eigen::Map<const Eigen::RowVector3d>(all[vertex].Numbers);
-        }
-        bends = BendsOfVertices(piece.Surface(), normals, context);
+        normals.row(vertex) = Eigen::Map<const Eigen::RowVector3d>(all[vertex].Numbers);
       }
+      bends = BendsOfVertices(piece.Surface(), normals, context);
     });
   return bends;
 }
@@ -245,10 +242,6 @@ PrincipalCurvatures CurvaturesInPieces(
   piece.Everyone().Together(
     [&]
     {
-      if (piece.IsEmpty())
-      {
-        return;
-      }
       std::vector<BendOfPart> regions;
       for (const TravellingBend& bend : travelling)
       {

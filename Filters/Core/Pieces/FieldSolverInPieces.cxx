@@ -2,58 +2,20 @@
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "Pieces/CombingOverSeams.h"
+#include "Pieces/ConstraintsAtOwned.h"
 #include "Pieces/ConstraintsInPieces.h"
+#include "Pieces/EquationsInPieces.h"
 #include "Pieces/PetscSession.h"
-#include "Pieces/PieceConstraints.h"
-#include "Pieces/PieceFieldSolver.h"
 #include "Pieces/ProblemAgreement.h"
-#include "Support/ComplexPairs.h"
+#include "Pieces/SetupInPieces.h"
 #include "Support/Errors.h"
+#include "Support/Stopwatch.h"
 
-#include <algorithm>
-#include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace dmg
 {
-namespace
-{
-
-bool AreSame(const Constraint& a, const Constraint& b)
-{
-  return a.Element == b.Element && a.Direction == b.Direction && a.Weight == b.Weight && a.Side == b.Side;
-}
-
-bool AreSame(const ValueConstraint& a, const ValueConstraint& b)
-{
-  return a.Vertex == b.Vertex && a.Value == b.Value && a.Weight == b.Weight;
-}
-
-template <class Item>
-bool AreSame(const std::vector<Item>& a, const std::vector<Item>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Item& x, const Item& y) { return AreSame(x, y); });
-}
-
-/// All that a solve depends on.
-struct SolveKey
-{
-  FieldOptions Options;
-  dmg::Constraints Constraints;
-  StoppingCriteria Stop;
-
-  bool IsSame(const SolveKey& other) const
-  {
-    const dmg::Constraints &a = this->Constraints, &b = other.Constraints;
-    return this->Options == other.Options && this->Stop == other.Stop && AreSame(a.OnFaces, b.OnFaces) &&
-      AreSame(a.AtVertices, b.AtVertices) && AreSame(a.Values, b.Values) && a.Net == b.Net &&
-      a.Source.size() == b.Source.size() && a.Source == b.Source;
-  }
-};
-
-}
 
 /// Each stage is built as a whole and then put in place, as in FieldSolver.
 class FieldSolverInPieces::Internals
@@ -66,10 +28,6 @@ public:
     , Part(this->All, piece, names, context)
     , ConstraintsOfSurface(this->Part)
   {
-    if (this->Part.GlobalNumberOfVertices() == 0)
-    {
-      throw InvalidInput("no rank has a triangle of the surface; give at least one a piece");
-    }
   }
 
   const Field& Solve(const FieldProblem& problem, const ExecutionContext& context);
@@ -83,15 +41,19 @@ public:
   Field Last;
 
 private:
-  void SetDiscretisation(const DiscretisationOptions& options, const ExecutionContext& context);
+  void SetUp(const DiscretisationOptions& options, const ExecutionContext& context);
+  void SetSystem(const EquationsInPieces& equations, const ExecutionContext& context);
   void SolveSystem(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context);
   void FindDirections(const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context);
   void ClearIndicesOfOthers(Field& field) const;
 
-  DiscretisationOptions OptionsOfSolver;
-  std::unique_ptr<PieceFieldSolver> Solver; ///< of these options
-  std::optional<SolveKey> KeyOfSolution;
-  std::shared_ptr<const FieldSolution> Solution; ///< of this key
+  DiscretisationOptions OptionsOfSetup;
+  std::unique_ptr<const SetupInPieces> Setup; ///< of these options
+  bool HasSystem = false;                     ///< whether the set-up's multigrid has the matrix of Equations
+  std::unique_ptr<const EquationsInPieces> Equations;
+  StoppingCriteria Stop;
+  Vector<double> Smoothest;                      ///< see EquationsInPieces::Solve
+  std::shared_ptr<const FieldSolution> Solution; ///< of Equations and Stop
 };
 
 const Field& FieldSolverInPieces::Internals::Solve(const FieldProblem& problem, const ExecutionContext& context)
@@ -105,59 +67,74 @@ const Field& FieldSolverInPieces::Internals::Solve(const FieldProblem& problem, 
         throw InvalidInput(reason + "; gather the surface on one rank");
       }
     });
+  this->Session.Check();
+  this->SetUp(problem.Options.Field, PartOfContext(context, 0.0, 0.4));
   FollowedConstraints followed =
-    this->ConstraintsOfSurface.Follow(problem, PartOfContext(context, 0.0, 0.0), this->Names);
-  this->SetDiscretisation(problem.Options.Field, PartOfContext(context, 0.0, 0.4));
+    this->ConstraintsOfSurface.Follow(problem, *this->Setup->Fields, PartOfContext(context, 0.4, 0.4), this->Names);
   this->SolveSystem(problem, followed.Constraints, PartOfContext(context, 0.4, 0.9));
   this->FindDirections(problem, std::move(followed), PartOfContext(context, 0.9, 1.0));
   return this->Last;
 }
 
-void FieldSolverInPieces::Internals::SetDiscretisation(
-  const DiscretisationOptions& options, const ExecutionContext& context)
+void FieldSolverInPieces::Internals::SetUp(const DiscretisationOptions& options, const ExecutionContext& context)
 {
   const DiscretisationOptions counting = OptionsThatCount(options);
-  if (this->All.Any(!this->Solver || !(this->OptionsOfSolver == counting)))
+  if (this->Setup && this->OptionsOfSetup == counting)
   {
-    this->KeyOfSolution.reset();
-    this->Solution.reset();
-    this->Solver.reset(); // its memory, before that of the next
-    this->Solver = std::make_unique<PieceFieldSolver>(this->Part, counting, this->Names, context);
-    this->OptionsOfSolver = counting;
-    ++this->Counts.Setups;
+    return;
+  }
+  this->Solution.reset();
+  this->Smoothest.resize(0);
+  this->Equations.reset();
+  this->HasSystem = false;
+  this->Setup.reset(); // its memory, before that of the next
+  this->Setup = std::make_unique<const SetupInPieces>(this->Part, counting, context);
+  this->OptionsOfSetup = counting;
+  ++this->Counts.Setups;
+}
+
+void FieldSolverInPieces::Internals::SetSystem(const EquationsInPieces& equations, const ExecutionContext& context)
+{
+  const bool isSame = this->HasSystem && equations.HasSameMatrix(*this->Equations);
+  if (this->All.Any(!isSame))
+  {
+    this->HasSystem = false;
+    equations.SetMatrix(context);
+    ++this->Counts.Systems;
   }
 }
 
 void FieldSolverInPieces::Internals::SolveSystem(
   const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context)
 {
-  const SolveKey key{ problem.Options, constraints, problem.Stop };
-  if (!this->All.Any(!this->KeyOfSolution || !this->KeyOfSolution->IsSame(key)))
+  const Stopwatch watch;
+  const std::vector<PowerAtVertex> atOwned =
+    ConstraintsAtOwned(this->Part, *this->Setup->Fields, constraints, this->Names);
+  auto equations = std::make_unique<const EquationsInPieces>(*this->Setup, atOwned,
+    problem.Options.Field.HasDirections() ? Vector<double>()
+                                          : SourceAtOwned(this->Part, constraints.Source, this->Names),
+    constraints.Net, problem.Options.Weights());
+  const bool isSame = this->Solution && equations->HasSameMatrix(*this->Equations) &&
+    equations->HasSameValues(*this->Equations) && this->Stop == problem.Stop;
+  if (!this->All.Any(!isSame))
   {
     return;
   }
-  const int systems = this->Solver->Counts().Systems;
-  const PieceField field = this->Solver->Solve(constraints, problem.Options.Weights(), problem.Stop, context);
+  this->Solution.reset();
+  this->SetSystem(*equations, PartOfContext(context, 0.0, 0.5));
+  this->Equations = std::move(equations);
+  this->HasSystem = true;
   FieldSolution solution;
-  this->All.Together(
-    [&]
-    {
-      if (!this->Part.IsEmpty())
-      {
-        const bool isFunction = this->OptionsOfSolver.Kind == DiscretisationKind::ScalarFunction;
-        solution.Discretisation =
-          MakeDiscretisation(this->OptionsOfSolver, this->Part.Surface(), &this->Part.Connection());
-        solution.Unknowns =
-          isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
-      }
-    });
-  solution.Constraints = ConstraintsAtVertices(
-    this->Part, this->OptionsOfSolver, ConstraintsAtOwned(this->Part, this->OptionsOfSolver, constraints, this->Names));
-  solution.Report = field.Report;
-  solution.SetupSeconds = field.SetupSeconds;
+  solution.Discretisation = this->Setup->Fields;
+  solution.Report.PrepareSeconds = watch.Seconds();
+  const std::vector<Complex> all = this->Part.WithGhosts<Complex>(
+    this->Equations->Solve(this->Smoothest, problem.Stop, solution.Report, PartOfContext(context, 0.5, 1.0)));
+  solution.Unknowns = this->Setup->Fields->AsUnknowns(
+    Eigen::Map<const Vector<Complex>>(all.data(), static_cast<Eigen::Index>(all.size())));
+  solution.Constraints = this->Setup->Fields->MeansOf(this->Part.WithGhosts<PowerAtVertex>(atOwned));
+  solution.SetupSeconds = this->Setup->Seconds;
   this->Solution = std::make_shared<const FieldSolution>(std::move(solution));
-  this->KeyOfSolution = key;
-  this->Counts.Systems += this->Solver->Counts().Systems - systems;
+  this->Stop = problem.Stop;
   ++this->Counts.Solves;
 }
 
@@ -165,24 +142,16 @@ void FieldSolverInPieces::Internals::FindDirections(
   const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context)
 {
   const bool isNew = this->Last.Solution != this->Solution;
-  Field field;
-  this->All.Together(
-    [&]
-    {
-      const bool isFormer = this->Last.OnFaces.size() > 0;
-      if (!this->Part.IsEmpty() && (isNew || this->Last.IsCombed != problem.Combing))
-      {
-        field = DirectionsOfField(this->Part.Surface(), *this->Solution->Discretisation, this->Solution->Unknowns,
-          problem.Combing, isFormer ? &this->Last : nullptr, context);
-        this->ClearIndicesOfOthers(field);
-      }
-    });
   if (isNew || this->Last.IsCombed != problem.Combing)
   {
-    const bool isFunction = this->OptionsOfSolver.Kind == DiscretisationKind::ScalarFunction;
-    field.N = isFunction ? 1 : this->OptionsOfSolver.N;
-    field.AreSingularitiesOnFaces = !isFunction;
-    field.IsCombed = problem.Combing;
+    Field field;
+    this->All.Together(
+      [&]
+      {
+        field = DirectionsOfField(this->Part.Surface(), *this->Solution->Discretisation, this->Solution->Unknowns,
+          problem.Combing, this->Last.Solution ? &this->Last : nullptr, context);
+        this->ClearIndicesOfOthers(field);
+      });
     if (problem.Combing)
     {
       CombOverSeams(this->Part, field);
@@ -240,7 +209,7 @@ const Field& FieldSolverInPieces::Solve(const FieldProblem& problem, const Execu
     this->Internal->All.Communicator(), [&]() -> const Field& { return this->Internal->Solve(problem, context); });
 }
 
-bool FieldSolverInPieces::TellsIndexOf(int element) const
+bool FieldSolverInPieces::ReportsIndexOf(int element) const
 {
   const PieceOfSurface& piece = this->Internal->Part;
   return this->Internal->Last.AreSingularitiesOnFaces ? piece.IsOwnFace(element) : piece.IsOwned(element);

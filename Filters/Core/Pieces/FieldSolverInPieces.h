@@ -15,8 +15,14 @@
 namespace dmg
 {
 
-/// FieldSolver for a surface of which each rank has a piece: the same fields up to the tolerance, from the same problems, with the same
-/// stages. No rank ever has more than its piece and the triangles around it.
+/// FieldSolver for a surface of which each rank has a piece: the same fields up to the tolerance, from the same problems. No rank ever has
+/// more than its piece and the triangles around it.
+///
+///   stage       is redone when this changes, on any rank
+///   set-up      discretisation, with N and areas
+///   system      which vertices are prescribed, and their penalties
+///   solve       prescribed values, source, tolerance, iteration limit
+///   directions  the solution, Combing
 ///
 ///   dmg::FieldSolverInPieces solver(MPI_COMM_WORLD, piece);
 ///   dmg::FieldProblem problem;
@@ -46,17 +52,16 @@ public:
   /// \param problem Constraints, Source and RotationAngles count own triangles from 0, and the points of the piece. At a point that
   ///   several ranks have, each may give the same; what the lowest of these ranks gives counts. Guides are the same on all ranks,
   ///   and so is all else.
-  /// \return the field on Piece().Surface(). It is that of the whole surface on own triangles and at their vertices, and means nothing
-  ///   elsewhere, but for Indices, which are zero there. Where this rank has no triangle, arrays are empty, and Solution has no
-  ///   discretisation. Report, Guides, and Warnings are the same on all ranks, but for seconds.
+  /// \return the field on Piece().Surface(). It is that of the whole surface on own triangles and at their vertices. It means nothing
+  ///   elsewhere, but for Indices, which are zero there. Report, Guides, and Warnings are the same on all ranks, but for seconds.
   /// \throw InvalidInput as FieldSolver::Solve, ranks differ in the problem, or there is a ReasonToGather.
   /// \throw SolverFailure
   /// \throw Cancelled
   const Field& Solve(const FieldProblem& problem, const ExecutionContext& context = SerialContext());
 
-  /// Whether an element of Field::Indices is one whose singularity this rank tells: an own triangle, or an owned vertex. Over
-  /// all ranks, each element of the surface is told once.
-  bool TellsIndexOf(int element) const;
+  /// Whether this rank reports the singularity of an element of Field::Indices: an own triangle, or an owned vertex. Every element of the
+  /// surface has one reporting rank.
+  bool ReportsIndexOf(int element) const;
 
   /// As FieldSolver::Counts.
   StageCounts Counts() const;

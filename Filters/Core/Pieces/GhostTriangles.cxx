@@ -81,6 +81,13 @@ std::vector<std::vector<TravellingTriangle>> ToAllAround(const Ranks& ranks, std
 std::vector<TravellingTriangle> GhostTriangles(const Ranks& ranks, const SurfacePiece& piece, const FansOfPiece& fans,
   const std::vector<SeamSide>& seams, const std::vector<PlaceOnRank>& joined)
 {
+  const long long triangles = fans.Corners.rows();
+  std::vector<TravellingTriangle> first;
+  if (ranks.SumBefore(triangles) == 0 && triangles > 0)
+  {
+    first.push_back(TriangleOf(ranks.Rank(), piece, fans, joined, 0));
+  }
+  first = ranks.GatherToAll(first).Items;
   const std::vector<char> areAtSeams = FansAtSeams(fans, seams);
   std::vector<std::vector<TriangleAt>> toOwners(ranks.Size());
   for (int triangle = 0; triangle < fans.Corners.rows(); ++triangle)
@@ -100,7 +107,7 @@ std::vector<TravellingTriangle> GhostTriangles(const Ranks& ranks, const Surface
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end(),
                  [](const TravellingTriangle& a, const TravellingTriangle& b) { return a.Place == b.Place; }),
     ghosts.end());
-  return ghosts;
+  return triangles > 0 ? ghosts : first;
 }
 
 }

@@ -76,7 +76,7 @@ class TrianglesNearGuides
 {
 public:
   TrianglesNearGuides(
-    const PieceOfSurface& piece, const NearestPlaces* places, const SurfaceSizes& sizes, double maximumDistance)
+    const PieceOfSurface& piece, const NearestPlaces& places, const SurfaceSizes& sizes, double maximumDistance)
     : Piece(piece)
     , All(piece.Everyone())
     , Places(places)
@@ -119,7 +119,7 @@ private:
 
   const PieceOfSurface& Piece;
   const Ranks& All;
-  const NearestPlaces* const Places;
+  const NearestPlaces& Places;
   const SurfaceSizes& Sizes;
   const double MaximumDistance;
   std::vector<Stretch> Stretches;
@@ -136,13 +136,13 @@ void TrianglesNearGuides::FindDistances(std::vector<Stretch>& stretches, const E
     [&]
     {
       int near = -1;
-      for (std::size_t k = 0; this->Places && k < stretches.size(); ++k)
+      for (std::size_t k = 0; k < stretches.size(); ++k)
       {
         if (k % Batch == 0)
         {
           context.Checkpoint(static_cast<double>(k) / static_cast<double>(stretches.size()));
         }
-        const NearestPlace place = (*this->Places)(stretches[k].Middle(), near);
+        const NearestPlace place = this->Places(stretches[k].Middle(), near);
         distances[k] = place.Distance;
         near = place.Face;
       }
@@ -171,15 +171,11 @@ double TrianglesNearGuides::LongestAt(double distance) const
 /// Adds the triangles nearest to places of a stretch, and those that are passed on the way there from a place one step away.
 void TrianglesNearGuides::AddNear(const Stretch& stretch)
 {
-  if (!this->Places)
-  {
-    return;
-  }
   constexpr double Rounding = 1e-9;
   const double length = stretch.Length();
   const double farther = length > 0.0 ? length + 2.0 * this->LongestAt(stretch.Distance) : 0.0;
   const double reach = stretch.Distance + farther + Rounding * (stretch.Distance + this->Sizes.Diagonal());
-  this->Places->VisitNear(stretch.Middle(), reach,
+  this->Places.VisitNear(stretch.Middle(), reach,
     [&](int face)
     {
       const int triangle = face - this->Piece.FirstOwnFace();
@@ -310,7 +306,7 @@ GuidesReport OfAllRanks(const Ranks& ranks, const GuidesReport& share)
 
 }
 
-FollowedGuides FollowGuidesInPieces(const Guides& guides, const PieceOfSurface& piece, const NearestPlaces* places,
+FollowedGuides FollowGuidesInPieces(const Guides& guides, const PieceOfSurface& piece, const NearestPlaces& places,
   const SurfaceSizes& sizes, const ExecutionContext& context)
 {
   const Ranks& ranks = piece.Everyone();

@@ -17,12 +17,12 @@ namespace dmg
 /// these triangles. A guide far from the surface, by many mean edges, is near to many triangles.
 ///
 /// Collective. \param guides the same on all ranks.
-/// \param places of the mesh of this piece; null where it is empty.
+/// \param places of the mesh of this piece.
 /// \param sizes of the whole surface.
 /// \return directions on own triangles, counted from 0; the report is that of all ranks.
 /// \throw InvalidInput as FollowGuides.
 /// Messages: some exchanges of 8 bytes for each mean edge of the lines, and one of 112 per triangle near to them.
-FollowedGuides FollowGuidesInPieces(const Guides& guides, const PieceOfSurface& piece, const NearestPlaces* places,
+FollowedGuides FollowGuidesInPieces(const Guides& guides, const PieceOfSurface& piece, const NearestPlaces& places,
   const SurfaceSizes& sizes, const ExecutionContext& context);
 
 }

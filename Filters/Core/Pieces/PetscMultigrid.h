@@ -21,8 +21,8 @@ namespace dmg
 /// finest level, with a bound of the eigenvalues of L + D over its diagonal, and degree 3 with estimated ones below. The coarsest
 /// system is factored by every rank.
 ///
-/// L and the prolongations are there once; D changes the diagonal of L and some rows of the first prolongation. Unknowns that are
-/// held are zero: corrections leave them out, as smoother and prolongation have zero rows there. All vectors are of owned rows.
+/// L and the prolongations are there once; D changes the diagonal of L and some rows of the first prolongation. Fixed unknowns are zero:
+/// smoother and prolongation have zero rows there. All vectors are of owned rows.
 ///
 /// \pre PETSc is initialised (PetscSession) as long as the object lives. All functions are collective, but for Stiffness.
 class PetscMultigrid

@@ -6,12 +6,11 @@
 namespace dmg
 {
 
-/// Does nothing where \p code says that a function of PETSc has succeeded. One that fails on a rank, as for want of memory, leaves
-/// the others waiting inside of PETSc: see EndWithOthers.
+/// Checks an error code of PETSc. On several ranks a failure ends all of them (EndWithOthers), as the others wait in a collective call.
 /// \throw SolverFailure there is one rank only.
 void CheckPetsc(PetscErrorCode code);
 
-/// The same for destructors, which throw nothing. Where there is one rank only, what is left is lost.
+/// CheckPetsc for destructors: on one rank the error is ignored, and the object leaks.
 void CheckDestroyed(PetscErrorCode code);
 
 /// False before PETSc begins and after it has ended; objects cannot be destroyed any more then.
@@ -36,7 +35,7 @@ public:
   /// \throw SolverFailure somebody else has ended PETSc.
   void Check() const;
 
-  /// The number of times that PETSc was ended in this process, by whomever. Objects from before are no longer there.
+  /// The number of times that PetscFinalize has run in this process. Older objects are invalid.
   static int Ends();
 
 private:

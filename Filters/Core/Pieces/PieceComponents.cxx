@@ -1,5 +1,6 @@
 #include "Pieces/PieceComponents.h"
 
+#include "Operators/FunctionSource.h"
 #include "Support/DisjointSets.h"
 
 #include <algorithm>
@@ -12,18 +13,8 @@ namespace dmg
 PieceComponents ComponentsOfPieces(const PieceOfSurface& piece)
 {
   const Ranks& ranks = piece.Everyone();
-  std::vector<int> ofVertices(piece.NumberOfVertices());
-  int count = 0;
-  if (!piece.IsEmpty())
-  {
-    const TriangleMesh& mesh = piece.Surface().Mesh;
-    const std::vector<int> ofFaces = FaceComponents(mesh);
-    count = 1 + *std::max_element(ofFaces.begin(), ofFaces.end());
-    for (int vertex = 0; vertex < piece.NumberOfVertices(); ++vertex)
-    {
-      ofVertices[vertex] = ofFaces[TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertex))];
-    }
-  }
+  const std::vector<int> ofVertices = VertexComponents(piece.Surface().Mesh);
+  const int count = 1 + *std::max_element(ofVertices.begin(), ofVertices.end());
   const int first = static_cast<int>(ranks.SumBefore(static_cast<long long>(count)));
   PieceComponents components;
   components.NumberBound = static_cast<int>(ranks.Sum(static_cast<long long>(count)));

@@ -252,16 +252,13 @@ std::vector<RowsOfRank<Complex>> LevelsOfPieces(
   ranks.Together(
     [&]
     {
-      if (!piece.IsEmpty())
+      order = OrderOfVertices(piece, context);
+      level = GraphOfVertices(piece, order, context);
+      const std::vector<int> places = Inverse(order, context);
+      points.assign(places.begin() + piece.FirstOwned(), places.begin() + piece.FirstOwned() + piece.NumberOfOwned());
+      for (std::size_t k = piece.NumberOfOwned(); k < order.size(); ++k)
       {
-        order = OrderOfVertices(piece, context);
-        level = GraphOfVertices(piece, order, context);
-        const std::vector<int> places = Inverse(order, context);
-        points.assign(places.begin() + piece.FirstOwned(), places.begin() + piece.FirstOwned() + piece.NumberOfOwned());
-        for (std::size_t k = piece.NumberOfOwned(); k < order.size(); ++k)
-        {
-          owners.push_back(piece.OwnerOf(order[k]));
-        }
+        owners.push_back(piece.OwnerOf(order[k]));
       }
     });
   bool isFirst = true;

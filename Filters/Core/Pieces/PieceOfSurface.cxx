@@ -80,6 +80,10 @@ PieceOfSurface::PieceOfSurface(
   , OwnFaces(static_cast<int>(piece.Corners.rows()))
   , Vertices(piece.Positions.rows(), -1)
 {
+  if (!ranks.Any(this->OwnFaces > 0))
+  {
+    throw InvalidInput("no rank has a triangle of the surface; give at least one a piece");
+  }
   FansOfPiece fans;
   const bool someHaveIds = ranks.Any(this->OwnFaces > 0 && !piece.GlobalIds.empty());
   const bool someHaveNone = ranks.Any(this->OwnFaces > 0 && piece.GlobalIds.empty());
@@ -113,10 +117,6 @@ PieceOfSurface::PieceOfSurface(
   ranks.Together(
     [&]
     {
-      if (this->OwnFaces == 0)
-      {
-        return;
-      }
       std::vector<PlaceOnRank> labels;
       std::vector<Vector3> positions;
       CollectCorners(piece, fans, joined, ghosts, this->OwnFacesBegin, labels, positions);
@@ -191,26 +191,19 @@ void PieceOfSurface::NumberVertices()
     fansOfOthers[k].Number = this->Owners[this->VerticesNotOwned[k]].Number = numbers[k];
   }
   this->ExchangeOfVertices = std::make_unique<ValuesOfOwners>(this->All, fansOfOthers);
-  this->GlobalBegin = this->All.SumBefore(static_cast<long long>(this->Owned));
+  const long long begin = this->All.SumBefore(static_cast<long long>(this->Owned));
   this->GlobalSize = this->All.Sum(static_cast<long long>(this->Owned));
   std::vector<long long> globals(this->Owned);
   for (int i = 0; i < this->Owned; ++i)
   {
-    globals[i] = this->GlobalBegin + i;
+    globals[i] = begin + i;
   }
   this->Globals = this->WithGhosts<long long>(globals);
 }
 
 void PieceOfSurface::TakeConnection(const ExecutionContext& context)
 {
-  this->All.Together(
-    [&]
-    {
-      if (!this->IsEmpty())
-      {
-        this->ConnectionOfLocal = std::make_unique<VertexConnection>(*this->Local, context);
-      }
-    });
+  this->All.Together([&] { this->ConnectionOfLocal = std::make_unique<VertexConnection>(*this->Local, context); });
   using Numbers = std::array<VertexConnection::CornerNumbers, 3>;
   const std::vector<Numbers> ofGhosts = this->ExchangeOfFaces->Fetch<Numbers>(
     [&](int triangle) -> Numbers

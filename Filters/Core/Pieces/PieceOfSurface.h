@@ -20,8 +20,8 @@ namespace dmg
 /// them, the ghosts.
 ///
 /// The vertices of own triangles have all their triangles here, so frames, angles and areas are those of the whole surface.
-/// Ranks agree on frames without a word: triangles come in the order of ranks everywhere. Of a vertex that only ghosts
-/// have, the fan may be cut off, and Connection has what their own rank says.
+/// Frames agree without communication: every rank orders triangles by owner. A vertex of ghosts alone may lack some of its triangles;
+/// Connection has the numbers of their owners there. A rank without triangles has the first triangle of the surface as a ghost.
 ///
 /// Each vertex of an own triangle is owned by the lowest rank that has such a triangle. Owned vertices are numbered from 0 on
 /// every rank; their global numbers continue from rank to rank.
@@ -29,18 +29,14 @@ class PieceOfSurface
 {
 public:
   /// Collective. \param names how messages call the triangles and points of the piece.
-  /// \throw InvalidInput as CheckElements, FansAround and PairSides.
+  /// \throw InvalidInput as CheckElements, FansAround and PairSides, or no rank has a triangle.
   /// Messages: two exchanges of about 110 bytes per triangle at a seam, and a few smaller ones.
   PieceOfSurface(
     const Ranks& ranks, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context);
 
   const Ranks& Everyone() const { return this->All; }
 
-  /// Whether this rank has no triangles. It then has no mesh.
-  bool IsEmpty() const { return !this->Local; }
-  /// \pre !IsEmpty()
   const FramedMesh& Surface() const { return *this->Local; }
-  /// \pre !IsEmpty()
   const VertexConnection& Connection() const { return *this->ConnectionOfLocal; }
 
   /// Own triangle i is face FirstOwnFace() + i.
@@ -52,7 +48,7 @@ public:
   /// A vertex at each point of the piece, -1 where no triangle is; one of them where the piece is pinched.
   const std::vector<int>& VerticesOfPoints() const { return this->Vertices; }
 
-  /// The vertex of a point that holds a constraint.
+  /// The vertex of a point with a constraint.
   /// \throw InvalidInput there is no such point, or no triangle at it.
   int VertexAt(int point, const ElementNames& names) const;
 
@@ -63,23 +59,18 @@ public:
   bool IsOwned(int vertex) const { return vertex >= this->OwnedBegin && vertex < this->OwnedBegin + this->Owned; }
   /// The rank that owns a vertex, and the vertex's number among those that it owns.
   const PlaceOnRank& OwnerOf(int vertex) const { return this->Owners[vertex]; }
-  /// The number of owned vertices of all ranks, and of those before this one.
+  /// The number of owned vertices of all ranks.
   long long GlobalNumberOfVertices() const { return this->GlobalSize; }
-  long long FirstGlobal() const { return this->GlobalBegin; }
   /// Per vertex.
   const std::vector<long long>& GlobalNumbers() const { return this->Globals; }
 
   /// Collective. The values of all vertices here from those of owned ones.
   template <class Value, class Values>
   std::vector<Value> WithGhosts(const Values& owned) const;
-  /// Collective. What owners say of vertices that are not owned here, in ascending order of these.
-  const ValuesOfOwners& GhostVertices() const { return *this->ExchangeOfVertices; }
-  /// Vertices that are not owned here, ascending.
-  const std::vector<int>& NotOwned() const { return this->VerticesNotOwned; }
 
   /// Faces that are ghosts, ascending.
   const std::vector<int>& GhostFaces() const { return this->FacesOfOthers; }
-  /// What the ranks that they come from say of them; numbers are those of their own triangles.
+  /// Values of their owners, by the numbers of own triangles there.
   const ValuesOfOwners& OwnersOfGhostFaces() const { return *this->ExchangeOfFaces; }
 
 private:
@@ -95,10 +86,9 @@ private:
   int OwnedBegin = 0;
   int Owned = 0;
   std::vector<PlaceOnRank> Owners; // per vertex
-  long long GlobalBegin = 0;
   long long GlobalSize = 0;
-  std::vector<long long> Globals; // per vertex
-  std::vector<int> VerticesNotOwned;
+  std::vector<long long> Globals;    // per vertex
+  std::vector<int> VerticesNotOwned; // ascending
   std::vector<int> FacesOfOthers;
   std::unique_ptr<ValuesOfOwners> ExchangeOfVertices;
   std::unique_ptr<ValuesOfOwners> ExchangeOfFaces;

@@ -11,16 +11,6 @@ namespace dmg
 namespace
 {
 
-/// The exceptions of the core, in the order in which they count where several ranks throw.
-enum class Outcome
-{
-  Done,
-  Invalid,
-  Failed,
-  NoMemory,
-  Stopped
-};
-
 std::vector<int> BeginsOf(const std::vector<int>& counts)
 {
   std::vector<int> begins(counts.size(), 0);
@@ -47,46 +37,18 @@ private:
   MPI_Datatype Type;
 };
 
-Outcome OutcomeOf(const std::function<void()>& step, std::string& message)
+int RankIn(MPI_Comm communicator)
 {
-  try
-  {
-    step();
-    return Outcome::Done;
-  }
-  catch (const Cancelled&)
-  {
-    return Outcome::Stopped;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Outcome::NoMemory;
-  }
-  catch (const InvalidInput& error)
-  {
-    message = error.what();
-    return Outcome::Invalid;
-  }
-  catch (const std::exception& error)
-  {
-    message = error.what();
-    return Outcome::Failed;
-  }
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  return rank;
 }
 
-[[noreturn]] void Throw(Outcome outcome, const std::string& message)
+int SizeOf(MPI_Comm communicator)
 {
-  switch (outcome)
-  {
-    case Outcome::Stopped:
-      throw Cancelled();
-    case Outcome::NoMemory:
-      throw MemoryRanOut();
-    case Outcome::Invalid:
-      throw InvalidInput(message);
-    default:
-      throw SolverFailure(message);
-  }
+  int size = 1;
+  MPI_Comm_size(communicator, &size);
+  return size;
 }
 
 }
@@ -104,10 +66,9 @@ void EndWithOthers(MPI_Comm communicator, const std::string& message)
 }
 
 Ranks::Ranks(MPI_Comm communicator)
-  : Comm(communicator)
+  : Processes(RankIn(communicator), SizeOf(communicator))
+  , Comm(communicator)
 {
-  MPI_Comm_rank(this->Comm, &this->RankHere);
-  MPI_Comm_size(this->Comm, &this->NumberOfRanks);
 }
 
 std::vector<int> Ranks::CountsFromRanks(const std::vector<int>& counts) const
@@ -186,57 +147,33 @@ long long Ranks::SumBefore(long long here) const
   return this->Rank() == 0 ? 0 : before; // MPI leaves that of rank 0 undefined
 }
 
-void Ranks::Together(const std::function<void()>& step) const
+int Ranks::Least(int here) const
 {
-  std::string message;
-  const Outcome outcome = OutcomeOf(step, message);
-  int first = outcome == Outcome::Done ? this->Size() : this->Rank();
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, this->Comm);
-  if (first == this->Size())
-  {
-    return;
-  }
-  int head[] = { static_cast<int>(outcome), static_cast<int>(message.size()) };
-  MPI_Bcast(head, 2, MPI_INT, first, this->Comm);
-  message.resize(head[1]);
-  MPI_Bcast(message.data(), head[1], MPI_CHAR, first, this->Comm);
-  Throw(static_cast<Outcome>(head[0]), message);
+  int least = 0;
+  MPI_Allreduce(&here, &least, 1, MPI_INT, MPI_MIN, this->Comm);
+  return least;
 }
 
-void Ranks::Checkpoint(const ExecutionContext& context, double fraction) const
+std::string Ranks::TextOf(int from, const std::string& here) const
 {
-  this->Together([&] { context.Checkpoint(fraction); });
-}
-
-std::string Ranks::FirstText(const std::string& here) const
-{
-  int first = here.empty() ? this->Size() : this->Rank();
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, this->Comm);
-  if (first == this->Size())
-  {
-    return "";
-  }
   int size = static_cast<int>(here.size());
-  MPI_Bcast(&size, 1, MPI_INT, first, this->Comm);
+  MPI_Bcast(&size, 1, MPI_INT, from, this->Comm);
   std::string text = here;
   text.resize(size);
-  MPI_Bcast(text.data(), size, MPI_CHAR, first, this->Comm);
+  MPI_Bcast(text.data(), size, MPI_CHAR, from, this->Comm);
   return text;
 }
 
-void Ranks::CheckSame(const std::string& text, const std::string& what) const
+std::vector<std::string> Ranks::Gather(const std::string& here) const
 {
-  const Received<char> texts = this->GatherToAll(std::vector<char>(text.begin(), text.end()));
-  for (int rank = 1; rank < this->Size(); ++rank)
+  const Received<char> received = this->GatherToAll(std::vector<char>(here.begin(), here.end()));
+  std::vector<std::string> texts;
+  for (int rank = 0; rank < this->Size(); ++rank)
   {
-    const std::string first(texts.Items.begin(), texts.Items.begin() + texts.Begins[1]);
-    const std::string other(texts.Items.begin() + texts.Begins[rank], texts.Items.begin() + texts.Begins[rank + 1]);
-    if (other != first)
-    {
-      throw InvalidInput("ranks 0 and " + std::to_string(rank) + " differ in " + what + ": \"" + first + "\" and \"" +
-        other + "\"; give all ranks the same");
-    }
+    texts.emplace_back(
+      received.Items.begin() + received.Begins[rank], received.Items.begin() + received.Begins[rank + 1]);
   }
+  return texts;
 }
 
 }

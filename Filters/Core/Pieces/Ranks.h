@@ -1,12 +1,10 @@
 #ifndef dmgRanks_h
 #define dmgRanks_h
 
-#include "Support/ExecutionContext.h"
+#include "Support/Processes.h"
 
 #include <mpi.h>
 
-#include <functional>
-#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -25,16 +23,6 @@ struct Received
 /// Ends the processes of all ranks, after a line on the standard error: for a failure of one rank that the others, which wait
 /// for its messages, cannot learn of. Returns where the communicator has one rank only.
 void EndWithOthers(MPI_Comm communicator, const std::string& message);
-
-/// Memory has run out on some rank, and all ranks throw this.
-class MemoryRanOut : public std::bad_alloc
-{
-public:
-  const char* what() const noexcept override
-  {
-    return "memory has run out on one rank; take more ranks, on more machines";
-  }
-};
 
 /// Runs a function that sends messages. Memory that runs out on one rank between two agreements (Ranks::Together) ends all ranks.
 template <class Function>
@@ -55,17 +43,14 @@ decltype(auto) EndingTogether(MPI_Comm communicator, const Function& function)
   }
 }
 
-/// The processes that hold a surface together, and all that they say to each other. Every function is collective: all ranks
-/// call it, in the same order, from the thread that entered the core.
-class Ranks
+/// The processes of MPI that hold a surface together, and all that they say to each other.
+class Ranks : public Processes
 {
 public:
   /// \param communicator is borrowed. \pre MPI is initialised.
   explicit Ranks(MPI_Comm communicator);
 
   MPI_Comm Communicator() const { return this->Comm; }
-  int Rank() const { return this->RankHere; }
-  int Size() const { return this->NumberOfRanks; }
 
   /// Sends \p toRanks [r] to rank r.
   template <class Item>
@@ -88,19 +73,14 @@ public:
   /// The sum over all ranks before this one.
   long long SumBefore(long long here) const;
 
-  /// Runs a step that sends nothing. If it throws anywhere, all ranks throw: the exception of the lowest such rank, with the same
-  /// message. Otherwise the other ranks would wait for ever.
-  void Together(const std::function<void()>& step) const;
-  /// A checkpoint where all ranks stop as soon as one of them was asked to.
-  /// \throw Cancelled
-  void Checkpoint(const ExecutionContext& context, double fraction) const;
-  /// The text of the lowest rank whose text is not empty; empty if there is none.
-  std::string FirstText(const std::string& here) const;
-  /// \throw InvalidInput the texts differ. \param what they say, for the message.
-  void CheckSame(const std::string& text, const std::string& what) const;
+  std::vector<std::string> Gather(const std::string& here) const override;
 
   /// Bytes that this rank has sent to others by Exchange and GatherToAll.
   long long BytesSent() const { return this->Bytes; }
+
+protected:
+  int Least(int here) const override;
+  std::string TextOf(int from, const std::string& here) const override;
 
 private:
   std::vector<int> CountsFromRanks(const std::vector<int>& counts) const;
@@ -109,8 +89,6 @@ private:
   void GatherBytes(const void* items, int count, void* received, const std::vector<int>& counts, int sizeOfItem) const;
 
   MPI_Comm Comm;
-  int RankHere;
-  int NumberOfRanks;
   mutable long long Bytes = 0;
 };
 

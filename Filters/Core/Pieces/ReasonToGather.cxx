@@ -1,5 +1,6 @@
 #include "Pieces/ReasonToGather.h"
 
+#include "Discretisations/MakeDiscretisation.h"
 #include "Solvers/SolverMethod.h"
 
 namespace dmg
@@ -8,16 +9,9 @@ namespace dmg
 std::string ReasonToGather(const FieldProblem& problem)
 {
   const FieldOptions& options = problem.Options;
-  switch (options.Field.Kind)
+  if (std::string reason = ReasonForOneProcess(options.Field); !reason.empty())
   {
-    case DiscretisationKind::FaceField:
-    case DiscretisationKind::OneForm:
-      return "flows are found on one process";
-    case DiscretisationKind::PowerField:
-      return "power fields on faces are found on one process, unlike those at points";
-    case DiscretisationKind::VertexPowerField:
-    case DiscretisationKind::ScalarFunction:
-      break;
+    return reason;
   }
   if (problem.Singularities)
   {

@@ -9,9 +9,7 @@ namespace dmg
 {
 
 /// The reason why FieldSolverInPieces does not solve a problem, so that the surface has to be gathered on one rank: a clause for a
-/// user, as in "prescribed singularities are found on one process". Empty where it solves it.
-///
-/// The answer depends on what all ranks have in common, never on the constraints of one of them, so all ranks get the same.
+/// user, such as "flows are found on one process". Empty where it solves it. It depends on options alone, so all ranks get the same.
 std::string ReasonToGather(const FieldProblem& problem);
 
 }

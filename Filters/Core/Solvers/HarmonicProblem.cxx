@@ -286,6 +286,12 @@ void HarmonicProblem::Internals::FindSmoothest(
     this->Report.SolveSeconds = 0.0;
     this->Report.Converged = true;
   }
+  const Eigen::MatrixXd& kernel = this->System.Setup().Kernel;
+  if (start.size() == 0)
+  {
+    // Nothing is smoother than a harmonic field.
+    start = kernel.cols() > 0 ? Vector<double>(kernel.rowwise().sum()) : Vector<double>::Zero(x.size());
+  }
   Preconditioner<double>* inverse = this->Inverse.get();
   if (this->Deflated)
   {

@@ -8,7 +8,10 @@
 
 namespace dmg
 {
+namespace
+{
 
+/// The end of an iteration for the smoothest field: a residual of 1e-6, or three times \p maximumIterations.
 StoppingCriteria StopOfSmoothest(int maximumIterations)
 {
   // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
@@ -20,76 +23,100 @@ StoppingCriteria StopOfSmoothest(int maximumIterations)
   return { Tolerance, isLarge ? maximumIterations : Patience * maximumIterations };
 }
 
+/// The multiple of the mass that is about the lowest eigenvalue of a component. A surface of size L has eigenvalues from about
+/// 1 / L^2 to 1 / h^2, where the diagonal is. The areas h^2 of its triangles sum to L^2. Triangles that are much smaller than
+/// others, as on the rim of a thin plate, add little to the sum.
+/// \param sumOfMassOverStiffness over the unknowns of the component, of the mass over the diagonal of R.
 double ShiftOfSmoothest(double sumOfMassOverStiffness)
 {
   return sumOfMassOverStiffness > 0.0 ? 1.0 / sumOfMassOverStiffness : 1.0; // a triangle alone has no smoothness energy
 }
 
+MeasureOfFields MeasureOf(const MultigridSetup& setup)
+{
+  const StiffnessHierarchy& hierarchy = *setup.Hierarchy;
+  const int unknownsPerMass = hierarchy.NumberOfUnknowns() / std::max(1, static_cast<int>(setup.Mass.size()));
+  return { setup.Mass, unknownsPerMass, [&hierarchy](int i) { return hierarchy.DiagonalOf(i); },
+    [&hierarchy](int i) { return hierarchy.ComponentOf(i); }, hierarchy.NumberOfComponents(), setup.Mass.sum(),
+    setup.SquaredNormOfUnit, setup.Area };
+}
+
+}
+
 UnprescribedComponents::UnprescribedComponents(
   const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context)
-  : Setup(&setup)
-  , ByComponent(SortByKey(
-      unknowns, setup.Hierarchy->NumberOfComponents(), [&setup](int i) { return setup.Hierarchy->ComponentOf(i); },
-      context))
-  , Shifts(setup.Hierarchy->NumberOfComponents(), 0.0)
+  : UnprescribedComponents(MeasureOf(setup), unknowns, context)
+{
+}
+
+UnprescribedComponents::UnprescribedComponents(
+  const MeasureOfFields& measure, const std::vector<int>& unknowns, const ExecutionContext& context)
+  : Mass(&measure.Mass)
+  , UnknownsPerMass(measure.UnknownsPerMass)
+  , ByComponent(SortByKey(unknowns, measure.NumberOfComponents, measure.ComponentOf, context))
+  , Shifts(measure.NumberOfComponents, 0.0)
+  , Lengths(measure.NumberOfComponents, 0.0)
+  , SquaredNormOfUnit(measure.SquaredNormOfUnit)
+  , Area(measure.Area)
+  , SumOverProcesses(measure.SumOverProcesses)
 {
   for (std::size_t component = 0; component < this->Shifts.size(); ++component)
   {
-    double area = 0.0;
     for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; ++item)
     {
       const int unknown = this->ByComponent.Items[item];
-      const double stiffness = setup.Hierarchy->DiagonalOf(unknown);
-      area += stiffness > 0.0 ? setup.MassOf(unknown) / stiffness : 0.0;
+      const double stiffness = measure.DiagonalOf(unknown);
+      this->Shifts[component] += stiffness > 0.0 ? this->MassOf(unknown) / stiffness : 0.0; // an area
+      this->Lengths[component] += this->MassOf(unknown);
     }
-    this->Shifts[component] = ShiftOfSmoothest(area);
   }
+  if (this->SumOverProcesses)
+  {
+    this->SumOverProcesses(this->Shifts.data(), measure.NumberOfComponents);
+    this->SumOverProcesses(this->Lengths.data(), measure.NumberOfComponents);
+  }
+  const double massOfUnknowns = measure.TotalMass * this->UnknownsPerMass;
+  for (std::size_t component = 0; component < this->Shifts.size(); ++component)
+  {
+    this->Shifts[component] = ShiftOfSmoothest(this->Shifts[component]);
+    this->Lengths[component] = std::sqrt(this->Lengths[component] / massOfUnknowns * measure.SquaredNormOfUnit);
+  }
+}
+
+bool UnprescribedComponents::AreAny() const
+{
+  return std::any_of(this->Lengths.begin(), this->Lengths.end(), [](double length) { return length > 0.0; });
 }
 
 void UnprescribedComponents::SetDiagonal(Vector<double>& D) const
 {
-  for (const int i : this->Unknowns())
+  for (std::size_t component = 0; component < this->Shifts.size(); ++component)
   {
-    D[i] = this->Shifts[this->Setup->Hierarchy->ComponentOf(i)] * this->Setup->MassOf(i);
+    for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; ++item)
+    {
+      const int unknown = this->ByComponent.Items[item];
+      D[unknown] = this->Shifts[component] * this->MassOf(unknown);
+    }
   }
-}
-
-double UnprescribedComponents::ShareOf(std::size_t component) const
-{
-  double mass = 0.0;
-  for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; ++item)
-  {
-    mass += this->Setup->MassOf(this->ByComponent.Items[item]);
-  }
-  const Eigen::Index unknownsPerMass = this->Setup->Hierarchy->NumberOfUnknowns() / this->Setup->Mass.size();
-  return mass / (this->Setup->Mass.sum() * static_cast<double>(unknownsPerMass));
 }
 
 std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearOperator<double>& A,
   Preconditioner<double>& inverse, Vector<double> start, int maximumIterations, Vector<double>& x, SolveReport& report,
   const ExecutionContext& context) const
 {
-  const MultigridSetup& setup = *this->Setup;
-  if (start.size() == 0)
-  {
-    // Nothing is smoother than a harmonic field.
-    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum()) : Vector<double>::Zero(x.size());
-  }
-  const StoppingCriteria stop = StopOfSmoothest(maximumIterations);
   SolveReport found;
   const std::vector<double> theta =
-    FindLowestEigenvectors({ A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);
+    FindLowestEigenvectors({ A, inverse, *this->Mass, this->ByComponent, this->SumOverProcesses },
+      StopOfSmoothest(maximumIterations), start, found, context);
   for (std::size_t component = 0; component < theta.size(); ++component)
   {
-    const int begin = this->ByComponent.Begins[component];
-    const int end = this->ByComponent.Begins[component + 1];
-    if (begin < end)
+    if (this->Lengths[component] > 0.0)
     {
-      const double length = std::sqrt(this->ShareOf(component) * setup.SquaredNormOfUnit);
-      std::for_each(this->ByComponent.Items.begin() + begin, this->ByComponent.Items.begin() + end,
-        [&](int i) { x[i] = length * start[i]; });
+      std::for_each(this->ByComponent.Items.begin() + this->ByComponent.Begins[component],
+        this->ByComponent.Items.begin() + this->ByComponent.Begins[component + 1],
+        [&](int i) { x[i] = this->Lengths[component] * start[i]; });
       report.Eigenvalues.push_back(
-        std::max(theta[component] - this->Shifts[component], 0.0) * setup.SquaredNormOfUnit / setup.Area);
+        std::max(theta[component] - this->Shifts[component], 0.0) * this->SquaredNormOfUnit / this->Area);
     }
   }
   report.SolveSeconds += found.SolveSeconds;

@@ -11,7 +11,8 @@
 #include "FieldSolver.h"
 #include "Mesh/SpatialOrder.h"
 #include "Partitions.h"
-#include "Pieces/PieceFieldSolver.h"
+#include "Pieces/FieldSolverInPieces.h"
+#include "ProblemsInPieces.h"
 #include "Support/ComplexPairs.h"
 #include "Support/ReadPly.h"
 
@@ -100,17 +101,13 @@ struct Expected
   Vector<double> Axes;   ///< three numbers per vertex
 };
 
-Expected SolveOnOneProcess(const test::Surface& surface, const FieldOptions& options, const Constraints& constraints)
+Expected SolveOnOneProcess(const test::Surface& surface, FieldProblem problem)
 {
   Expected expected;
   expected.Powers.setZero(2 * surface.V.rows());
   expected.Axes.setZero(3 * surface.V.rows());
   if (Ranks(MPI_COMM_WORLD).Rank() == 0)
   {
-    FieldProblem problem;
-    problem.Options = options;
-    problem.Constraints = constraints;
-    problem.Stop = { Tolerance, 100 };
     problem.Options.Solver.Kind = SolverKind::ConjugateGradients;
     FieldSolver solver(surface.Mesh());
     expected.Iterations = solver.Solve(problem).Report.Returned;
@@ -127,25 +124,11 @@ Expected SolveOnOneProcess(const test::Surface& surface, const FieldOptions& opt
   return expected;
 }
 
-Constraints OfPiece(const Constraints& whole, const test::CutPiece& cut)
-{
-  Constraints own;
-  for (Constraint constraint : whole.OnFaces)
-  {
-    const auto place = std::lower_bound(cut.Triangles.begin(), cut.Triangles.end(), constraint.Element);
-    if (place != cut.Triangles.end() && *place == constraint.Element)
-    {
-      constraint.Element = static_cast<int>(place - cut.Triangles.begin());
-      own.OnFaces.push_back(constraint);
-    }
-  }
-  return own;
-}
-
 /// Relative to the exact solution, over all points of all pieces.
-double Difference(const Ranks& ranks, const PieceOfSurface& piece, const PieceField& field, const test::CutPiece& cut,
+double Difference(const Ranks& ranks, const PieceOfSurface& piece, const Field& field, const test::CutPiece& cut,
   const Expected& expected)
 {
+  const Vector<Complex> found = test::UnknownsOf(field);
   double squares = 0.0;
   double differences = 0.0;
   for (std::size_t i = 0; i < cut.Points.size(); ++i)
@@ -156,7 +139,7 @@ double Difference(const Ranks& ranks, const PieceOfSurface& piece, const PieceFi
     const Complex axis = piece.Surface().Vertices.ToComplex(here, expected.Axes.segment<3>(3 * there));
     const Complex power = AsComplex(expected.Powers)[there] * std::pow(axis, DiscretisationOptions().N);
     squares += std::norm(power);
-    differences += std::norm(field.AtVertices[here] - power);
+    differences += std::norm(found[here] - power);
   }
   return std::sqrt(ranks.Sum(differences) / ranks.Sum(squares));
 }
@@ -166,8 +149,11 @@ bool Compare(const std::string& name, const test::Surface& surface, const FieldO
   const std::vector<test::NamedPartition>& partitions)
 {
   const Ranks ranks(MPI_COMM_WORLD);
-  const Constraints whole = TwentyDirections(surface);
-  const Expected expected = SolveOnOneProcess(surface, options, whole);
+  FieldProblem whole;
+  whole.Options = options;
+  whole.Constraints = TwentyDirections(surface);
+  whole.Stop = { Tolerance, 100 };
+  const Expected expected = SolveOnOneProcess(surface, whole);
   std::string line = name + (options.Constraints == ConstraintKind::Hard ? ", strictly" : ", softly");
   line += options.Alignment == 1.0 ? "" : ", weight " + std::to_string(options.Alignment);
   line += ": one process " + std::to_string(expected.Iterations);
@@ -176,8 +162,8 @@ bool Compare(const std::string& name, const test::Surface& surface, const FieldO
   for (const test::NamedPartition& partition : partitions)
   {
     const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, options.Field);
-    const PieceField field = solver.Solve(OfPiece(whole, cut), options.Weights(), { Tolerance, 100 });
+    FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+    const Field& field = solver.Solve(test::OfPiece(whole, cut, surface));
     largest = std::max(largest, Difference(ranks, solver.Piece(), field, cut, expected));
     isWithin &= field.Report.Converged && field.Report.Returned <= expected.Iterations + 2;
     line += ", " + partition.Name + " " + std::to_string(field.Report.Returned);

@@ -7,9 +7,9 @@
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
+#include "Support/SumOverProcesses.h"
 #include "Support/Types.h"
 
-#include <functional>
 #include <vector>
 
 namespace dmg
@@ -26,9 +26,8 @@ struct EigenProblem
   const Vector<double>& Mass;
   /// Unknowns by part; those in none are zero.
   const SortedItems& Parts;
-  /// Where vectors are spread over several processes: adds up numbers of all of them, in place. All have the same number of
-  /// parts, and each has its unknowns of them. Empty: vectors are whole.
-  std::function<void(double* numbers, int size)> SumOverProcesses = {};
+  /// All processes have the same number of parts, and each has its unknowns of them.
+  dmg::SumOverProcesses SumOverProcesses = {};
 
   /// Unknowns that share a mass.
   int UnknownsPerMass(Eigen::Index unknowns) const

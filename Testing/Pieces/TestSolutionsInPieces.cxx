@@ -1,7 +1,7 @@
-#include "Pieces/PieceFieldSolver.h"
-
 #include "FieldSolver.h"
 #include "Partitions.h"
+#include "Pieces/FieldSolverInPieces.h"
+#include "ProblemsInPieces.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 
@@ -81,68 +81,23 @@ Constraints SomeValues(const TriangleMesh& mesh)
   return constraints;
 }
 
-/// The constraints of a piece. All ranks that have a point give what holds there.
-Constraints OfPiece(const Constraints& whole, const test::CutPiece& cut, const test::Surface& surface)
-{
-  std::vector<int> triangles(surface.F.rows(), -1);
-  std::vector<int> points(surface.V.rows(), -1);
-  for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
-  {
-    triangles[cut.Triangles[i]] = static_cast<int>(i);
-  }
-  for (std::size_t i = 0; i < cut.Points.size(); ++i)
-  {
-    points[cut.Points[i]] = static_cast<int>(i);
-  }
-  Constraints own;
-  for (Constraint constraint : whole.OnFaces)
-  {
-    constraint.Element = triangles[constraint.Element];
-    if (constraint.Element >= 0)
-    {
-      own.OnFaces.push_back(constraint);
-    }
-  }
-  for (Constraint constraint : whole.AtVertices)
-  {
-    constraint.Element = points[constraint.Element];
-    if (constraint.Element >= 0)
-    {
-      own.AtVertices.push_back(constraint);
-    }
-  }
-  for (ValueConstraint value : whole.Values)
-  {
-    value.Vertex = points[value.Vertex];
-    if (value.Vertex >= 0)
-    {
-      own.Values.push_back(value);
-    }
-  }
-  return own;
-}
-
 /// The same surface, field and constraints on one process and in pieces.
 class Comparison
 {
 public:
   Comparison(const test::Surface& surface, const FieldOptions& options, const Constraints& whole)
     : Surface(surface)
-    , Options(options)
-    , Whole(whole)
     , All(MPI_COMM_WORLD)
+    , Reference(surface.Mesh())
   {
-    FieldProblem problem;
-    problem.Options = options;
-    problem.Constraints = whole;
-    problem.Stop = { Tolerance, 100 };
+    this->Whole.Options = options;
+    this->Whole.Constraints = whole;
+    this->Whole.Stop = { Tolerance, 100 };
+    FieldProblem problem = this->Whole;
     problem.Options.Solver.Kind = SolverKind::ConjugateGradients;
-    FieldSolver iterating(surface.Mesh());
-    this->Iterations = iterating.Solve(problem).Report.Returned;
+    this->Iterations = this->Reference.Solve(problem).Report.Returned;
     problem.Options.Solver.Kind = SolverKind::Cholesky;
-    this->Reference = std::make_unique<FieldSolver>(surface.Mesh());
-    this->Reference->Solve(problem);
-    this->Exact = problem;
+    this->Exact = this->Reference.Solve(problem).Solution->Unknowns;
   }
 
   void Check(const test::NamedPartition& partition, const std::string& name)
@@ -150,9 +105,8 @@ public:
     SCOPED_TRACE(name + ", " + partition.Name);
     const test::CutPiece cut =
       test::CutOut(this->Surface, partition.RanksOfTriangles(this->Surface, this->All.Size()), this->All.Rank());
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, this->Options.Field);
-    const PieceField field =
-      solver.Solve(OfPiece(this->Whole, cut, this->Surface), this->Options.Weights(), { Tolerance, 100 });
+    FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+    const Field& field = solver.Solve(test::OfPiece(this->Whole, cut, this->Surface));
     EXPECT_TRUE(field.Report.Converged);
     EXPECT_LE(field.Report.Returned, this->Iterations + 2);
     const double error = this->Error(solver.Piece(), field, cut);
@@ -164,37 +118,12 @@ public:
     }
   }
 
-  /// Directions and singularities of own triangles.
-  void CheckDirections(const test::NamedPartition& partition)
-  {
-    const int N = this->Options.Field.N;
-    const test::CutPiece cut =
-      test::CutOut(this->Surface, partition.RanksOfTriangles(this->Surface, this->All.Size()), this->All.Rank());
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, this->Options.Field);
-    const Field field = solver.Directions(
-      solver.Solve(OfPiece(this->Whole, cut, this->Surface), this->Options.Weights(), { 1e-11, 100 }));
-    const Field& exact = this->Reference->Solve(this->Exact);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
-    {
-      const int face = solver.Piece().FirstOwnFace() + static_cast<int>(i);
-      const int there = cut.Triangles[i];
-      // The corners come in the same order, so frames are equal. Any of the N directions may be the first.
-      const Complex quotient = field.OnFaces[face] / exact.OnFaces[there];
-      EXPECT_LE(std::abs(std::pow(quotient, N) - 1.0), 1e-5) << "triangle " << there;
-      EXPECT_NEAR(field.Indices[face], exact.Indices[there], 1e-9) << "triangle " << there;
-      sum += field.Indices[face];
-    }
-    EXPECT_NEAR(this->All.Sum(sum), this->Surface.Mesh().EulerCharacteristic(), 1e-9);
-  }
-
 private:
   /// Relative to the exact solution, over all points of all pieces.
-  double Error(const PieceOfSurface& piece, const PieceField& field, const test::CutPiece& cut) const
+  double Error(const PieceOfSurface& piece, const Field& field, const test::CutPiece& cut) const
   {
-    const bool isFunction = this->Options.Field.Kind == DiscretisationKind::ScalarFunction;
-    const Field& exact = this->Reference->Solve(this->Exact);
-    const Vector<double>& unknowns = exact.Solution->Unknowns;
+    const bool isFunction = this->Whole.Options.Field.Kind == DiscretisationKind::ScalarFunction;
+    const Vector<Complex> found = test::UnknownsOf(field);
     double squares = 0.0;
     double differences = 0.0;
     for (std::size_t i = 0; i < cut.Points.size(); ++i)
@@ -204,28 +133,27 @@ private:
       Complex expected;
       if (isFunction)
       {
-        expected = unknowns[there];
+        expected = this->Exact[there];
       }
       else
       {
         // The axes of both frames may differ, and the powers turn N times as far.
         const Complex axis =
-          piece.Surface().Vertices.ToComplex(here, this->Reference->Surface().Vertices.X.row(there).transpose());
-        expected = AsComplex(unknowns)[there] * std::pow(axis, this->Options.Field.N);
+          piece.Surface().Vertices.ToComplex(here, this->Reference.Surface().Vertices.X.row(there).transpose());
+        expected = AsComplex(this->Exact)[there] * std::pow(axis, field.N);
       }
       squares += std::norm(expected);
-      differences += std::norm(field.AtVertices[here] - expected);
+      differences += std::norm(found[here] - expected);
     }
     return std::sqrt(this->All.Sum(differences) / this->All.Sum(squares));
   }
 
   const test::Surface& Surface;
-  const FieldOptions Options;
-  const Constraints Whole;
   const Ranks All;
+  FieldSolver Reference;
+  FieldProblem Whole;
   int Iterations = 0;
-  FieldProblem Exact;
-  std::unique_ptr<FieldSolver> Reference;
+  Vector<double> Exact; ///< unknowns
 };
 
 FieldOptions Crosses()
@@ -242,7 +170,7 @@ FieldOptions Functions()
 
 }
 
-TEST(TestPieceFieldSolver, SoftDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, SoftDirectionsAsOnOneProcess)
 {
   for (const Problem& problem : Problems())
   {
@@ -258,7 +186,7 @@ TEST(TestPieceFieldSolver, SoftDirectionsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, HardDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, HardDirectionsAsOnOneProcess)
 {
   FieldOptions options = Crosses();
   options.Constraints = ConstraintKind::Hard;
@@ -269,7 +197,7 @@ TEST(TestPieceFieldSolver, HardDirectionsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, RegionsOfDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, RegionsOfDirectionsAsOnOneProcess)
 {
   FieldOptions options = Crosses();
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -281,7 +209,7 @@ TEST(TestPieceFieldSolver, RegionsOfDirectionsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, AllWeightsAsOnOneProcess)
+TEST(SolutionsInPieces, AllWeightsAsOnOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(5, 3);
   for (const double alignment : { 1e-6, 1e-3, 1e4, 1e8, 1e12 })
@@ -293,7 +221,7 @@ TEST(TestPieceFieldSolver, AllWeightsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, FunctionsAsOnOneProcess)
+TEST(SolutionsInPieces, FunctionsAsOnOneProcess)
 {
   FieldOptions options = Functions();
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -307,14 +235,14 @@ TEST(TestPieceFieldSolver, FunctionsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, FourLevelsAsOnOneProcess)
+TEST(SolutionsInPieces, FourLevelsAsOnOneProcess)
 {
   const test::Surface surface = test::IrregularTorus(300, 120, 6);
   Comparison comparison(surface, Crosses(), SomeDirections(surface.Mesh()));
   comparison.Check(test::Partitions()[0], "large torus");
 }
 
-TEST(TestPieceFieldSolver, AnyNumberOfDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, AnyNumberOfDirectionsAsOnOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(4, 3);
   for (const int N : { 1, 2, 6 })
@@ -326,7 +254,7 @@ TEST(TestPieceFieldSolver, AnyNumberOfDirectionsAsOnOneProcess)
   }
 }
 
-TEST(TestPieceFieldSolver, PointsAreJoinedByGlobalIds)
+TEST(SolutionsInPieces, PointsAreJoinedByGlobalIds)
 {
   // The same places twice, which only ids tell apart.
   test::Surface surface = test::Union(test::Icosphere(3), test::Icosphere(3), Vector3::Zero());
@@ -337,11 +265,11 @@ TEST(TestPieceFieldSolver, PointsAreJoinedByGlobalIds)
   {
     cut.Piece.GlobalIds.push_back(1000LL * 1000LL * 1000LL * 1000LL + point);
   }
-  const PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  const FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
   EXPECT_EQ(solver.Piece().GlobalNumberOfVertices(), surface.V.rows());
 }
 
-TEST(TestPieceFieldSolver, FunctionsAreZeroOnComponentsWithoutValues)
+TEST(SolutionsInPieces, FunctionsAreZeroOnComponentsWithoutValues)
 {
   const test::Surface surface = test::Union(test::Union(test::Icosphere(3), test::Disk(12), Vector3(4.0, 0.0, 0.0)),
     test::Icosphere(2), Vector3(0.0, 4.0, 0.0));
@@ -349,37 +277,25 @@ TEST(TestPieceFieldSolver, FunctionsAreZeroOnComponentsWithoutValues)
   for (const test::NamedPartition& partition : test::Partitions())
   {
     const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
-    Constraints whole;
-    whole.Values = { { 3, 1.0, 1.0 }, { 100, 2.0, 1.0 } };
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, Functions().Field);
-    const PieceField field = solver.Solve(OfPiece(whole, cut, surface));
+    FieldProblem whole;
+    whole.Options = Functions();
+    whole.Constraints.Values = { { 3, 1.0, 1.0 }, { 100, 2.0, 1.0 } };
+    FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+    const Field& field = solver.Solve(test::OfPiece(whole, cut, surface));
     EXPECT_TRUE(field.Report.Converged);
-    EXPECT_EQ(field.UnheldComponents, 2);
-    EXPECT_EQ(field.Report.Warnings.size(), 1);
+    ASSERT_EQ(field.Report.Warnings.size(), 1);
+    EXPECT_EQ(field.Report.Warnings[0].find("2 components"), 0);
     for (std::size_t i = 0; i < cut.Points.size(); ++i)
     {
       const bool isHeld = cut.Points[i] < test::Icosphere(3).V.rows();
-      const double size = std::abs(field.AtVertices[solver.Piece().VerticesOfPoints()[i]]);
+      const double size = std::abs(field.Solution->Unknowns[solver.Piece().VerticesOfPoints()[i]]);
       EXPECT_EQ(size > 0.0, isHeld) << size;
     }
   }
 }
 
-TEST(TestPieceFieldSolver, DirectionsAndSingularitiesAsOnOneProcess)
-{
-  for (const test::Surface& surface : { test::IrregularSphere(4, 3), test::DoubleTorus(8) })
-  {
-    Comparison comparison(surface, Crosses(), SomeDirections(surface.Mesh()));
-    for (const test::NamedPartition& partition : test::Partitions())
-    {
-      SCOPED_TRACE(partition.Name);
-      comparison.CheckDirections(partition);
-    }
-  }
-}
-
 /// The system follows from penalties, and other values leave it as it is.
-TEST(TestPieceFieldSolver, OtherValuesKeepTheSystem)
+TEST(SolutionsInPieces, OtherValuesKeepTheSystem)
 {
   const test::Surface surface = test::IrregularTorus(80, 30, 4);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -397,28 +313,31 @@ TEST(TestPieceFieldSolver, OtherValuesKeepTheSystem)
   heavier.OnFaces[2].Weight *= 2.0; // on one rank
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    FieldWeights weights;
-    weights.Constraints = kind;
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+    FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
     int systems = 0;
     int solves = 0;
-    const auto solveAndCompare = [&](const Constraints& whole, int newSystems)
+    const auto solveAndCompare = [&](const Constraints& whole, int newSystems, int newSolves = 1)
     {
-      const Constraints own = OfPiece(whole, cut, surface);
-      const PieceField field = solver.Solve(own, weights, { Tolerance, 100 });
+      FieldProblem problem;
+      problem.Constraints = whole;
+      problem.Options.Constraints = kind;
+      problem.Stop = { Tolerance, 100 };
+      const FieldProblem own = test::OfPiece(problem, cut, surface);
+      const Field& field = solver.Solve(own);
       EXPECT_TRUE(field.Report.Converged);
       EXPECT_EQ(solver.Counts().Systems, systems += newSystems);
-      EXPECT_EQ(solver.Counts().Solves, ++solves);
-      PieceFieldSolver fresh(MPI_COMM_WORLD, cut.Piece, {});
-      const PieceField expected = fresh.Solve(own, weights, { Tolerance, 100 });
-      EXPECT_EQ(field.Report.Returned, expected.Report.Returned);
-      const double size = ranks.Max(expected.AtVertices.size() > 0 ? expected.AtVertices.cwiseAbs().maxCoeff() : 0.0);
-      EXPECT_LE((field.AtVertices - expected.AtVertices).norm(), 1e-12 * size);
+      EXPECT_EQ(solver.Counts().Solves, solves += newSolves);
+      FieldSolverInPieces freshSolver(MPI_COMM_WORLD, cut.Piece);
+      const Field& fresh = freshSolver.Solve(own);
+      EXPECT_EQ(field.Report.Returned, fresh.Report.Returned);
+      const Vector<double>& expected = fresh.Solution->Unknowns;
+      const double size = ranks.Max(expected.size() > 0 ? expected.cwiseAbs().maxCoeff() : 0.0);
+      EXPECT_LE((field.Solution->Unknowns - expected).norm(), 1e-12 * size);
     };
     const bool isHard = kind == ConstraintKind::Hard; // without penalties, weights only weigh what meets at a vertex
     solveAndCompare(first, 1);
     solveAndCompare(turned, 0);
-    solveAndCompare(heavier, isHard ? 0 : 1);
+    solveAndCompare(heavier, isHard ? 0 : 1, isHard ? 0 : 1);
     solveAndCompare(first, isHard ? 0 : 1);
     solveAndCompare({}, 1);
     solveAndCompare(turned, 1);
