@@ -232,23 +232,21 @@ void MeasureSquares(
   MeasureProduct("B^T B, double", hierarchy, unknowns, nonZeros,
     BytesOf(hierarchy.B) + sizeof(double) * 10.0 * unknowns, runs, table, context);
 
-  // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x. It does not
-  // read what tells places of unknowns, and unknowns at places.
-  BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, SweepsOfBlocks);
-  const double places = sizeof(int) * (unknowns + rows);
-  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places - sizeof(int) * unknowns +
-    sizeof(float) * (3.0 * unknowns + 2.0 * rows);
+  // A sweep reads the blocks, their inverses and columns of B, D and b; and reads and writes x and B x.
+  BlockSmoother smoother(
+    hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, Vector<double>::Zero(hierarchy.B.cols()), SweepsOfBlocks, context);
+  const double sweep = static_cast<double>(smoother.Bytes()) +
+    sizeof(int) * static_cast<double>(hierarchy.Blocks.Unknowns.size()) + sizeof(float) * (unknowns + rows);
   Vector<double> x, r;
-  // Then the residual: x and b by their places; x and r are written; B and B x, by its places, are read, and r
-  // once more.
-  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places + sizeof(float) * (unknowns + rows) +
+  // Then the residual: x, D and b are read; x and r are written; B and B x are read, and r once more.
+  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + sizeof(float) * (2.0 * unknowns + rows) +
     sizeof(double) * 5.0 * unknowns;
   const Vector<double> b = Vector<double>::Random(hierarchy.NumberOfUnknowns());
   table.Append(
     "blocks, pre", 0, unknowns, nonZeros, before, Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
   // Or before it B x, and b; and then x is read and written.
-  const double after = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places +
-    sizeof(float) * (2.0 * unknowns + rows) + sizeof(double) * 4.0 * unknowns;
+  const double after = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + sizeof(float) * (2.0 * unknowns + rows) +
+    sizeof(double) * 4.0 * unknowns;
   table.Append(
     "blocks, post", 0, unknowns, nonZeros, after, Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 

@@ -67,7 +67,7 @@ public:
 private:
   void GrowCore(int seed)
   {
-    constexpr std::size_t largest = 3 * SchwarzBlocks::LargestBlock / 4; // leaves room for rings
+    constexpr std::size_t largest = 3 * UnknownBlocks::LargestBlock / 4; // leaves room for rings
     this->Faces.clear();
     this->Unknowns.clear();
     this->IsInCore[seed] = this->Add(seed, largest);
@@ -89,7 +89,7 @@ private:
     const std::size_t size = this->Faces.size();
     for (std::size_t k = 0; k < size; ++k)
     {
-      this->Mesh.VisitNeighbours(this->Faces[k], [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
+      this->Mesh.VisitNeighbours(this->Faces[k], [this](int face) { this->Add(face, UnknownBlocks::LargestBlock); });
     }
   }
 
@@ -141,7 +141,7 @@ void AppendPatches(const TriangleMesh& mesh, double evenFraction, const Unknowns
 
 UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
 {
-  constexpr int largestFan = SchwarzBlocks::LargestBlock / 4; // inverses grow by the square
+  constexpr int largestFan = UnknownBlocks::LargestBlock / 4; // inverses grow by the square
   const auto components = [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; };
   UnknownBlocks blocks;
   blocks.Unknowns.reserve(2 * mesh.NumberOfFaces());

@@ -2,7 +2,7 @@
 #define dmgSmoothingBlocks_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Solvers/LeastSquares/SchwarzBlocks.h"
+#include "Solvers/LeastSquares/UnknownBlocks.h"
 
 /// Unknowns of a surface that multigrid smooths together. Small blocks partition the unknowns. Where faces are far
 /// from equilateral, patches of many faces are added: fields exist there that the small blocks cannot tell from

@@ -149,13 +149,13 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
   surface.V.col(1) *= 0.5;
   const TriangleMesh thinner = surface.Mesh();
   const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(thinner));
-  EXPECT_GT(static_cast<int>(fields.size()), PackFans(thinner, SchwarzBlocks::LargestBlock / 4).Size());
+  EXPECT_GT(static_cast<int>(fields.size()), PackFans(thinner, UnknownBlocks::LargestBlock / 4).Size());
   EXPECT_EQ(static_cast<int>(Union(fields).size()), 2 * mesh.NumberOfFaces());
   for (const auto* blocks : { &forms, &fields })
   {
     for (const std::set<int>& block : *blocks)
     {
-      EXPECT_LE(static_cast<int>(block.size()), SchwarzBlocks::LargestBlock);
+      EXPECT_LE(static_cast<int>(block.size()), UnknownBlocks::LargestBlock);
     }
   }
 }
@@ -166,7 +166,7 @@ TEST(SmoothingBlocks, PatchesAreConnected)
   surface.V.col(1) *= 0.1;
   const TriangleMesh mesh = surface.Mesh();
   const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));
-  ASSERT_GT(static_cast<int>(blocks.size()), PackFans(mesh, SchwarzBlocks::LargestBlock / 4).Size());
+  ASSERT_GT(static_cast<int>(blocks.size()), PackFans(mesh, UnknownBlocks::LargestBlock / 4).Size());
   for (std::size_t k = 0; k < blocks.size(); ++k) // fans, too
   {
     std::set<int> reached = { *blocks[k].begin() / 2 };
@@ -194,7 +194,7 @@ TEST(SmoothingBlocks, FacesAreUnevenByTheAreaOverThatOfAnEquilateralTriangle)
   {
     const double fraction = 0.5 * h / (std::sqrt(3.0) / 4.0 * (1.0 + h * h));
     const TriangleMesh mesh = StripWithThinColumn(12, 4, h);
-    const int patches = BlocksOfFaceFields(mesh).Size() - PackFans(mesh, SchwarzBlocks::LargestBlock / 4).Size();
+    const int patches = BlocksOfFaceFields(mesh).Size() - PackFans(mesh, UnknownBlocks::LargestBlock / 4).Size();
     EXPECT_EQ(patches, fraction <= 0.1 ? 1 : 0) << h;
   }
 }

@@ -3,7 +3,7 @@
 
 #include "GridProblem.h"
 #include "Solvers/Kernels/RowTiles.h"
-#include "Solvers/LeastSquares/SchwarzBlocks.h"
+#include "Solvers/LeastSquares/UnknownBlocks.h"
 
 #include <Eigen/Dense>
 
@@ -159,48 +159,6 @@ inline Squares Wheels(int copies, int faces)
   rows.insert(rows.end(), ofFaces.begin(), ofFaces.end());
   rows.insert(rows.end(), ofTwo.begin(), ofTwo.end());
   return Copies(copies, 2 * faces, faces + 1, rows);
-}
-
-inline SchwarzBlocks BlocksOf(const Squares& squares, const ExecutionContext& context = SerialContext())
-{
-  return { squares.Bt, squares.Blocks, context };
-}
-
-/// The unknowns of a block of a group.
-inline std::vector<int> MembersOf(const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int lane)
-{
-  std::vector<int> members;
-  for (int i = 0; i < blocks.PatternOf(group).Unknowns(); ++i)
-  {
-    members.push_back(blocks.UnknownOf(group, i * group.Lanes + lane));
-  }
-  return members;
-}
-
-/// The blocks of some groups, lane by lane.
-inline void AppendBlocks(const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, UnknownBlocks& to)
-{
-  const SchwarzBlocks::Run groups = blocks.GroupsOf(tile);
-  for (int g = groups.First; g < groups.Last; ++g)
-  {
-    for (int lane = 0; lane < blocks.Groups()[g].Blocks; ++lane)
-    {
-      const std::vector<int> members = MembersOf(blocks, blocks.Groups()[g], lane);
-      to.Unknowns.insert(to.Unknowns.end(), members.begin(), members.end());
-      to.EndBlock();
-    }
-  }
-}
-
-/// As a smoother takes them upwards.
-inline UnknownBlocks BlocksInOrder(const SchwarzBlocks& blocks)
-{
-  UnknownBlocks inOrder;
-  for (int tile = 0; tile < blocks.NumberOfTiles(); ++tile)
-  {
-    AppendBlocks(blocks, blocks.TileAt(tile), inOrder);
-  }
-  return inOrder;
 }
 
 /// The block of a matrix.

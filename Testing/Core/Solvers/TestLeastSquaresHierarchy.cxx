@@ -208,8 +208,7 @@ TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
 {
   const SurfaceProblem problem(test::IrregularPlane(20, 16, 4), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
-  EXPECT_EQ(SetsOf(test::BlocksInOrder(hierarchy.Blocks), hierarchy.Order),
-    SetsOf(problem.Levels.Blocks, Identity(problem.Size())));
+  EXPECT_EQ(SetsOf(hierarchy.Blocks, hierarchy.Order), SetsOf(problem.Levels.Blocks, Identity(problem.Size())));
 }
 
 TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
@@ -332,7 +331,7 @@ TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
   levels.Coarser.insert(levels.Coarser.begin(), SparseMatrix<double>(2 * coarse + 2, 10));
   EXPECT_THROW(make(levels), InvalidInput);
   levels = problem.Levels;
-  for (int i = 0; i <= SchwarzBlocks::LargestBlock; ++i)
+  for (int i = 0; i <= UnknownBlocks::LargestBlock; ++i)
   {
     levels.Blocks.Unknowns.push_back(i);
   }

@@ -1,14 +1,18 @@
 #include "Solvers/LeastSquares/BlockSmoother.h"
 
-#include "Solvers/Kernels/PartColouring.h"
-#include "Solvers/LeastSquares/BlockKernel.h"
+#include "Solvers/Kernels/Packs.h"
 #include "Support/CountingSort.h"
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace dmg
 {
@@ -16,316 +20,370 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-constexpr int GroupsAhead = 2;
+constexpr int BlockGrain = 256;
+constexpr int MostRows = 1 << 16; // of B that a tile touches
+constexpr int LastColour = 63;    // of the blocks of a tile; for those that find no other
 
-/// Walks through the groups of a tile as a sweep takes them: runs up or down, but each of them upwards, which
-/// processors foresee better; its groups are independent.
-class GroupsInOrder
+// Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
+constexpr double Ridge = 1e-6;
+
+using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, UnknownBlocks::LargestBlock,
+  UnknownBlocks::LargestBlock>;
+
+/// y = A x for a symmetric matrix, of which the lower triangle is given by rows.
+void MultiplySymmetric(const float* triangle, int size, const float* x, float* y)
+{
+  constexpr int lanes = LanesOf<FloatPack>;
+  for (int i = 0; i < size; ++i, ++triangle)
+  {
+    FloatPack sums{};
+    const FloatPack factors = { x[i], x[i], x[i], x[i] };
+    int j = 0;
+    for (; j + lanes <= i; j += lanes, triangle += lanes)
+    {
+      const auto entries = LoadPack<FloatPack>(triangle);
+      sums += entries * LoadPack<FloatPack>(x + j);
+      StorePack(LoadPack<FloatPack>(y + j) + entries * factors, y + j);
+    }
+    float sum = SumOfLanes(sums);
+    for (; j < i; ++j, ++triangle)
+    {
+      sum += *triangle * x[j];
+      y[j] += *triangle * x[i];
+    }
+    y[i] = sum + *triangle * x[i];
+  }
+}
+
+/// Consecutive blocks: what they touch fits the caches of a core, and many threads have some tiles of a colour each.
+class TilesOfBlocks
 {
 public:
-  GroupsInOrder(const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, bool descending)
-    : Blocks(blocks)
-    , NextRun(descending ? tile.Last - 1 : tile.First)
-    , EndOfRuns(descending ? tile.First - 1 : tile.Last)
-    , Step(descending ? -1 : 1)
+  explicit TilesOfBlocks(const UnknownBlocks& blocks)
+    : NumberOfBlocks(blocks.Size())
+    , BlocksOfTile(std::clamp(blocks.Size() / 64, 128, 1024))
   {
-    this->Enter();
   }
-
-  bool IsAtEnd() const { return this->Of.First == this->Of.Last; }
-  int Group() const { return this->Of.First; }
-  void Advance()
-  {
-    if (!this->IsAtEnd() && ++this->Of.First == this->Of.Last)
-    {
-      this->Enter();
-    }
-  }
+  int Size() const { return (this->NumberOfBlocks + this->BlocksOfTile - 1) / this->BlocksOfTile; }
+  int First(int tile) const { return tile * this->BlocksOfTile; }
+  int Last(int tile) const { return std::min(this->First(tile + 1), this->NumberOfBlocks); }
 
 private:
-  /// The next run, if there is one; none is empty.
-  void Enter()
-  {
-    if (this->NextRun != this->EndOfRuns)
-    {
-      this->Of = this->Blocks.RunAt(this->NextRun);
-      this->NextRun += this->Step;
-    }
-  }
-
-  const SchwarzBlocks& Blocks;
-  int NextRun;
-  const int EndOfRuns;
-  const int Step;
-  SchwarzBlocks::Run Of = { 0, 0 }; ///< what is left of the run
+  const int NumberOfBlocks;
+  const int BlocksOfTile;
 };
+
+/// Calls visit(row) for the rows of B that some blocks touch, once for each time.
+template <class Visit>
+void ForRows(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int firstBlock, int lastBlock, const Visit& visit)
+{
+  for (int s = blocks.Offsets[firstBlock]; s < blocks.Offsets[lastBlock]; ++s)
+  {
+    const int* const offsets = Bt.outerIndexPtr() + blocks.Unknowns[s];
+    std::for_each(Bt.innerIndexPtr() + offsets[0], Bt.innerIndexPtr() + offsets[1], visit);
+  }
+}
+
+PartColouring ColourTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks)
+{
+  const TilesOfBlocks tiles(blocks);
+  return ColourParts(tiles.Size(), static_cast<int>(Bt.cols()),
+    [&](int tile, const auto& visit) { ForRows(Bt, blocks, tiles.First(tile), tiles.Last(tile), visit); });
+}
 
 }
 
-BlockSmoother::BlockSmoother(
-  const SparseMatrix<double>& factor, const RowTiles& tiles, const SchwarzBlocks& blocks, int sweeps, double relaxation)
+UnknownBlocks OrderedByColours(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+{
+  const TilesOfBlocks tiles(blocks);
+  std::vector<int> order = Identity(blocks.Size());
+  std::vector<char> colours(blocks.Size());
+  const int grain = std::max(1, tiles.Size() / (4 * context.NumberOfThreads()));
+  context.ParallelFor(0, tiles.Size(), grain,
+    [&](int firstTile, int lastTile)
+    {
+      std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
+      for (int tile = firstTile; tile < lastTile; ++tile)
+      {
+        const int first = tiles.First(tile);
+        const int last = tiles.Last(tile);
+        for (int k = first; k < last; ++k)
+        {
+          std::uint64_t forbidden = 0;
+          ForRows(Bt, blocks, k, k + 1, [&](int row) { forbidden |= taken[row]; });
+          while (colours[k] < LastColour && (forbidden >> colours[k] & 1) != 0)
+          {
+            ++colours[k];
+          }
+          ForRows(Bt, blocks, k, k + 1, [&](int row) { taken[row] |= std::uint64_t(1) << colours[k]; });
+        }
+        ForRows(Bt, blocks, first, last, [&](int row) { taken[row] = 0; });
+        std::stable_sort(
+          order.begin() + first, order.begin() + last, [&colours](int k, int l) { return colours[k] < colours[l]; });
+      }
+    });
+  return blocks.InOrder(order);
+}
+
+BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles& tiles, const UnknownBlocks& blocks,
+  const Vector<double>& D, int sweeps, const ExecutionContext& context, double relaxation)
   : B(factor)
   , Tiles(tiles)
   , Blocks(blocks)
   , Sweeps(sweeps)
-  , Relaxation(static_cast<float>(relaxation))
-  , Diagonal(Vector<float>::Zero(factor.cols()))
+  , Relaxation(relaxation)
+  , RowBegins({ 0 })
+  , EntryBegins({ 0 })
+  , InverseBegins({ 0 })
+  , AreTouched(blocks.Size(), 1) // so that all are inverted
   , Right(factor.cols())
   , Step(factor.cols())
   , Bx(factor.rows())
 {
   assert(relaxation > 0.0 && relaxation < 2.0);
-  this->Inverses.reserve(blocks.Groups().size());
-  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  const SparseMatrix<double> Bt = Adjoint(factor, context);
+  this->TileColours = ColourTiles(Bt, blocks);
+  this->CollectEntries(Bt);
+  for (int k = 0; k < blocks.Size(); ++k)
   {
-    this->Inverses.push_back(blocks.Inverse(group));
+    const std::size_t size = blocks.SizeOf(k);
+    assert(size <= UnknownBlocks::LargestBlock);
+    this->InverseBegins.push_back(this->InverseBegins.back() + size * (size + 1) / 2);
+  }
+  this->Inverses.resize(this->InverseBegins.back());
+  this->SetDiagonal(D, context);
+}
+
+void BlockSmoother::CollectEntries(const SparseMatrix<double>& Bt)
+{
+  std::vector<int> places(Bt.cols(), -1); // of rows of B in the tile
+  const TilesOfBlocks tiles(this->Blocks);
+  for (int tile = 0; tile < tiles.Size(); ++tile)
+  {
+    const int begin = this->RowBegins.back();
+    const int end = this->Blocks.Offsets[tiles.Last(tile)];
+    for (int s = this->Blocks.Offsets[tiles.First(tile)]; s < end; ++s)
+    {
+      for (SparseMatrix<double>::InnerIterator entry(Bt, this->Blocks.Unknowns[s]); entry; ++entry)
+      {
+        int& place = places[entry.col()];
+        if (place < 0)
+        {
+          place = static_cast<int>(this->Rows.size()) - begin;
+          this->Rows.push_back(static_cast<int>(entry.col()));
+        }
+        this->RowsOfEntries.push_back(static_cast<std::uint16_t>(place));
+        this->Entries.push_back(static_cast<float>(entry.value()));
+      }
+      this->EntryBegins.push_back(static_cast<int>(this->Entries.size()));
+    }
+    this->RowBegins.push_back(static_cast<int>(this->Rows.size()));
+    if (this->RowBegins.back() - begin > MostRows)
+    {
+      throw InvalidInput("the smoothing blocks from " + std::to_string(tiles.First(tile)) +
+        " on touch too many rows of the factor; split them");
+    }
+    std::for_each(this->Rows.begin() + begin, this->Rows.end(), [&places](int row) { places[row] = -1; });
   }
 }
 
-/// Whether D is not zero on some unknowns of a group.
-bool BlockSmoother::Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const
+bool BlockSmoother::Touches(const Vector<double>& D, int block) const
 {
-  for (int slot = 0; slot < this->Blocks.NumberOfUnknowns(group); ++slot)
-  {
-    if (D[this->Blocks.UnknownOf(group, slot)] != 0.0)
-    {
-      return true;
-    }
-  }
-  return false;
+  const int* const unknowns = this->UnknownsOf(block);
+  return std::any_of(unknowns, unknowns + this->Blocks.SizeOf(block), [&D](int unknown) { return D[unknown] != 0.0; });
 }
 
 void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
-  assert(D.size() == this->Diagonal.size());
-  const int unknowns = static_cast<int>(D.size());
+  assert(D.size() == this->Right.size());
   this->Held = Choose(
-    unknowns, [&D](int i) { return !std::isfinite(D[i]); }, context);
-  this->Penalised = Choose(
-    unknowns, [&D](int i) { return std::isfinite(D[i]) && D[i] != 0.0; }, context);
-  this->Diagonal.setZero();
-  for (const int i : this->Penalised)
-  {
-    this->Diagonal[this->Blocks.PlacesOfUnknowns()[i]] = static_cast<float>(D[i]);
-  }
-  const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
+    static_cast<int>(D.size()), [&D](int i) { return !std::isfinite(D[i]); }, context);
+  this->Diagonal = D.array().isFinite().select(D, 0.0).cast<float>();
   const std::vector<int> changed = Choose(
-    static_cast<int>(groups.size()), [&](int g) { return this->Touches(D, groups[g]); }, context);
-  std::size_t size = 0;
-  for (const int g : changed)
-  {
-    size += this->Blocks.InverseSize(groups[g]);
-  }
-  for (std::size_t g = 0; g < groups.size(); ++g)
-  {
-    this->Inverses[g] = this->Blocks.Inverse(groups[g]);
-  }
-  this->ChangedInverses.resize(size);
-  std::vector<float*> places;
-  places.reserve(changed.size());
-  float* next = this->ChangedInverses.data();
-  for (const int g : changed)
-  {
-    places.push_back(next);
-    this->Inverses[g] = next;
-    next += this->Blocks.InverseSize(groups[g]);
-  }
-  this->Blocks.Invert(D, changed, places, context);
-}
-
-template <class Visit>
-void BlockSmoother::ForPenalised(int first, int last, const Visit& visit) const
-{
-  for (auto i = std::lower_bound(this->Penalised.begin(), this->Penalised.end(), first);
-       i != this->Penalised.end() && *i < last; ++i)
-  {
-    visit(*i, this->Diagonal[this->Blocks.PlacesOfUnknowns()[*i]]);
-  }
-}
-
-void BlockSmoother::Begin(const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
-{
-  const int* const places = this->Blocks.PlacesOfUnknowns().data();
-  context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
+    this->Blocks.Size(), [&](int k) { return this->AreTouched[k] || this->Touches(D, k); }, context);
+  context.ParallelFor(0, static_cast<int>(changed.size()), BlockGrain,
     [&](int first, int last)
     {
-      this->Step.segment(first, last - first).setZero();
-      for (int i = first; i < last; ++i)
+      Vector<double> room = Vector<double>::Zero(MostRows);
+      for (int c = first; c < last; ++c)
       {
-        this->Right[places[i]] = static_cast<float>(b[i]);
-      }
-      if (x)
-      {
-        this->ForPenalised(first, last,
-          [&](int i, double penalty) { this->Right[places[i]] = static_cast<float>(b[i] - penalty * (*x)[i]); });
+        const int k = changed[c];
+        this->AreTouched[k] = this->Touches(D, k);
+        this->Invert(k, D, this->AreTouched[k] ? 1.0 : this->Relaxation, room);
       }
     });
 }
 
-template <bool Penalised, class Pack, class Places>
-void BlockSmoother::SmoothBlocks(
-  const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead)
+void BlockSmoother::Invert(int block, const Vector<double>& D, double factor, Vector<double>& room)
 {
-  constexpr int lanes = LanesOf<Pack>;
-  const int unknowns = pattern.Unknowns();
-  const int rows = pattern.Rows();
-  float* const Bx = this->Bx.data();
-  float* const step = this->Step.data();
-
-  Prefetch(ahead.Places, places.Size());
-  Pack products[BlockGroups::MostRows];
-  for (int k = 0; k < rows; ++k)
+  const int* const unknowns = this->UnknownsOf(block);
+  const int size = this->Blocks.SizeOf(block);
+  const int* const begins = this->EntryBegins.data() + this->Blocks.Offsets[block];
+  // The block of A, scaled to ones on the diagonal.
+  BlockMatrix A(size, size);
+  double scales[UnknownBlocks::LargestBlock];
+  Vector<double>& column = room;
+  for (int i = 0; i < size; ++i)
   {
-    products[k] = places.RowOf(Bx, k);
-  }
-  Pack residuals[BlockGroups::LargestBlock];
-  for (int i = 0; i < unknowns; ++i)
-  {
-    Pack residual = places.UnknownOf(this->Right.data(), i);
-    if (Penalised)
+    const auto forEntries = [&](int j, const auto& visit)
     {
-      residual -= places.UnknownOf(this->Diagonal.data(), i) * places.UnknownOf(step, i);
+      for (int e = begins[j]; e < begins[j + 1]; ++e)
+      {
+        visit(this->RowsOfEntries[e], static_cast<double>(this->Entries[e]));
+      }
+    };
+    forEntries(i, [&column](int row, double value) { column[row] = value; });
+    for (int j = 0; j <= i; ++j)
+    {
+      A(i, j) = 0.0;
+      forEntries(j, [&](int row, double value) { A(i, j) += value * column[row]; });
     }
-    const int begin = pattern.Offsets[i];
-    const int end = pattern.Offsets[i + 1];
-    Prefetch(ahead.Values + begin * lanes, (end - begin) * lanes);
-    for (int e = begin; e < end; ++e)
+    forEntries(i, [&column](int row, double) { column[row] = 0.0; });
+    const double diagonal = A(i, i) + D[unknowns[i]];
+    scales[i] = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 0.0; // zero where there is nothing to solve for
+    for (int j = 0; j < i; ++j)
     {
-      residual -= LoadPack<Pack>(of.Values + e * lanes) * products[pattern.RowOf[e]];
+      A(i, j) *= scales[i] * scales[j];
+    }
+    A(i, i) = 1.0 + Ridge;
+  }
+  const BlockMatrix inverted = A.selfadjointView<Eigen::Lower>().llt().solve(BlockMatrix::Identity(size, size));
+  float* inverse = this->Inverses.data() + this->InverseBegins[block];
+  for (int i = 0; i < size; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      *inverse++ = static_cast<float>(factor * scales[i] * inverted(i, j) * scales[j]);
+    }
+  }
+}
+
+void BlockSmoother::SmoothBlock(int block, float* products)
+{
+  const int* const unknowns = this->UnknownsOf(block);
+  const int size = this->Blocks.SizeOf(block);
+  const int* const begins = this->EntryBegins.data() + this->Blocks.Offsets[block];
+  const bool isTouched = this->AreTouched[block];
+  float residuals[UnknownBlocks::LargestBlock];
+  for (int i = 0; i < size; ++i)
+  {
+    float residual = this->Right[unknowns[i]];
+    if (isTouched)
+    {
+      residual -= this->Diagonal[unknowns[i]] * this->Step[unknowns[i]];
+    }
+    for (int e = begins[i]; e < begins[i + 1]; ++e)
+    {
+      residual -= this->Entries[e] * products[this->RowsOfEntries[e]];
     }
     residuals[i] = residual;
   }
-  Pack steps[BlockGroups::LargestBlock];
-  MultiplySymmetric(of.Inverse, unknowns, residuals, steps, ahead.Inverse);
-  for (int i = 0; i < unknowns; ++i)
+  float steps[UnknownBlocks::LargestBlock];
+  MultiplySymmetric(this->Inverses.data() + this->InverseBegins[block], size, residuals, steps);
+  for (int i = 0; i < size; ++i)
   {
-    if (!Penalised) // over-relaxation would overshoot a strong penalty
+    this->Step[unknowns[i]] += steps[i];
+    for (int e = begins[i]; e < begins[i + 1]; ++e)
     {
-      steps[i] *= this->Relaxation;
+      products[this->RowsOfEntries[e]] += this->Entries[e] * steps[i];
     }
-    places.SetUnknown(places.UnknownOf(step, i) + steps[i], step, i);
-  }
-  for (int k = 0; k < rows; ++k)
-  {
-    Pack product = products[k];
-    for (int s = pattern.RowOffsets[k]; s < pattern.RowOffsets[k + 1]; ++s)
-    {
-      product += LoadPack<Pack>(of.Values + pattern.EntryAt[s] * lanes) * steps[pattern.UnknownAt[s]];
-    }
-    places.SetRow(product, Bx, k);
   }
 }
 
-template <bool Penalised>
-void BlockSmoother::SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
+/// Works on a copy of the rows of B x that its blocks touch.
+void BlockSmoother::SmoothTile(int tile, bool descending)
 {
-  const BlockPattern& pattern = this->Blocks.PatternOf(group);
-  if (group.Lanes == 1)
+  const int* const rows = this->Rows.data() + this->RowBegins[tile];
+  const int numberOfRows = this->RowBegins[tile + 1] - this->RowBegins[tile];
+  std::vector<float> products(numberOfRows);
+  for (int k = 0; k < numberOfRows; ++k)
   {
-    this->SmoothBlocks<Penalised, float>(pattern, PlacesAnywhere<float>(pattern, of.Places), of, ahead);
+    products[k] = this->Bx[rows[k]];
   }
-  else if (group.FirstPlace < 0)
+  const int first = TilesOfBlocks(this->Blocks).First(tile);
+  const int last = TilesOfBlocks(this->Blocks).Last(tile);
+  for (int k = first; k < last; ++k)
   {
-    this->SmoothBlocks<Penalised, FloatPack>(pattern, PlacesAnywhere<FloatPack>(pattern, of.Places), of, ahead);
+    this->SmoothBlock(descending ? first + last - 1 - k : k, products.data());
   }
-  else
+  for (int k = 0; k < numberOfRows; ++k)
   {
-    this->SmoothBlocks<Penalised, FloatPack>(pattern, PlacesInOrder(pattern, of.Places, group.FirstPlace), of, ahead);
-  }
-}
-
-BlockSmoother::Streams BlockSmoother::StreamsOf(int g) const
-{
-  const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-  return { this->Blocks.PlacesOf(group), this->Blocks.Values(group), this->Inverses[g] };
-}
-
-void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
-{
-  GroupsInOrder ahead(this->Blocks, tile, descending);
-  for (int k = 0; k < GroupsAhead; ++k)
-  {
-    ahead.Advance();
-  }
-  for (GroupsInOrder at(this->Blocks, tile, descending); !at.IsAtEnd(); at.Advance(), ahead.Advance())
-  {
-    const int g = at.Group();
-    const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-    const Streams of = this->StreamsOf(g);
-    const Streams later = this->StreamsOf(ahead.IsAtEnd() ? g : ahead.Group());
-    // The inverse is that of the stiffness matrix where D is zero.
-    of.Inverse == this->Blocks.Inverse(group) ? this->SmoothGroup<false>(group, of, later)
-                                              : this->SmoothGroup<true>(group, of, later);
+    this->Bx[rows[k]] = products[k];
   }
 }
 
 void BlockSmoother::RunSweeps(bool descending, const ExecutionContext& context)
 {
+  this->Step.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    ForColours(this->Blocks.ColoursOfTiles(), descending, context,
-      [this, descending](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
+    ForColours(this->TileColours.Begins, descending, context,
+      [this, descending](int t) { this->SmoothTile(this->TileColours.Parts[t], descending); });
   }
 }
 
 void BlockSmoother::PreSmooth(
   const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context)
 {
-  this->Begin(b, context);
+  this->Right = b.cast<float>();
   this->Bx.setZero();
   this->RunSweeps(false, context);
   x.resize(b.size());
   r.resize(b.size());
-  const int* const places = this->Blocks.PlacesOfUnknowns().data();
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
     [&](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
-        x[i] = this->Step[places[i]];
-        r[i] = b[i];
+        x[i] = this->Step[i];
+        r[i] = b[i] - this->Diagonal[i] * x[i];
       }
-      this->ForPenalised(first, last, [&x, &r](int i, double penalty) { r[i] -= penalty * x[i]; });
     });
-  const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
   this->Tiles.ForTiles(context,
     [&](int, int firstRow, int lastRow)
     {
       this->B.AddAdjoint(
-        firstRow, lastRow, [&](int row) { return -static_cast<double>(this->Bx[placesOfRows[row]]); }, r.data());
+        firstRow, lastRow, [this](int row) { return -static_cast<double>(this->Bx[row]); }, r.data());
     });
-  for (const int i : this->Held)
-  {
-    r[i] = 0.0;
-  }
+  SetZero(r, this->Held, context);
 }
 
 void BlockSmoother::PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
-  const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
   context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain,
     [&](int first, int last)
     {
-      this->B.Multiply(first, last, x.data(),
-        [this, placesOfRows](int row, double product) { this->Bx[placesOfRows[row]] = static_cast<float>(product); });
+      this->B.Multiply(
+        first, last, x.data(), [this](int row, double product) { this->Bx[row] = static_cast<float>(product); });
     });
-  this->Begin(b, context, &x);
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        this->Right[i] = static_cast<float>(b[i] - this->Diagonal[i] * x[i]);
+      }
+    });
   this->RunSweeps(true, context);
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
     [&](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
-        x[i] += this->Step[this->Blocks.PlacesOfUnknowns()[i]];
+        x[i] += this->Step[i];
       }
     });
 }
 
 long long BlockSmoother::Bytes() const
 {
-  return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
-    this->ChangedInverses.size() * sizeof(float) + (this->Held.size() + this->Penalised.size()) * sizeof(int) +
-    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) * sizeof(float));
+  const auto bytes = [](const auto& vector) { return static_cast<long long>(vector.size() * sizeof(vector[0])); };
+  return bytes(this->TileColours.Parts) + bytes(this->RowBegins) + bytes(this->Rows) + bytes(this->EntryBegins) +
+    bytes(this->RowsOfEntries) + bytes(this->Entries) + bytes(this->InverseBegins) + bytes(this->Inverses) +
+    bytes(this->AreTouched) + bytes(this->Held) + bytes(this->Diagonal) + bytes(this->Right) + bytes(this->Step) +
+    bytes(this->Bx);
 }
 
 }

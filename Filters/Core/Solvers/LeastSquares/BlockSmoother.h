@@ -1,59 +1,67 @@
 #ifndef dmgBlockSmoother_h
 #define dmgBlockSmoother_h
 
+#include "Solvers/Kernels/PartColouring.h"
 #include "Solvers/Kernels/RowRuns.h"
 #include "Solvers/Kernels/RowTiles.h"
-#include "Solvers/LeastSquares/SchwarzBlocks.h"
+#include "Solvers/LeastSquares/UnknownBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dmg
 {
 
-/// Block successive over-relaxation (multiplicative Schwarz) for a sum of squares, A = B^T B + D with D
-/// diagonal.
+/// Blocks in the order in which a BlockSmoother should have them: tile by tile, and in these colour by colour. A block has
+/// the first colour that no earlier block of its tile on one of its rows of B has. So a processor works on several
+/// independent blocks at once.
+/// \param Bt B^T, a row per unknown. \param blocks near each other if they follow each other.
+UnknownBlocks OrderedByColours(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
+
+/// Multiplicative Schwarz with over-relaxation for A = B^T B + D, with D diagonal.
 ///
-/// Each step solves for the unknowns of one block exactly. That damps what points one by one cannot on
-/// uneven triangles: the three sides of a sliver differ by little, and so do their equations. The step is then
-/// over-relaxed, since blocks that do not overlap know too little of each other: four sweeps over fans of faces,
-/// each face in one, take as many iterations as two over all stars of vertices, each face in three. Groups of
-/// blocks that D touches are not over-relaxed: over-relaxation would miss the exact solution of a strong penalty
-/// by 0.4 of the step, sweep by sweep.
+/// A step solves for the unknowns of one block exactly, by the dense inverse of its part of A. That damps errors
+/// which point smoothers leave on thin triangles, whose three equations are nearly equal. Steps are over-relaxed, as
+/// small blocks know little of each other. Blocks on which D is not zero are not over-relaxed: over-relaxation would
+/// miss the exact solution of a strong penalty by 0.4 of the step, sweep by sweep.
 ///
-/// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A. Blocks
-/// that look alike and are independent are solved for at once (SchwarzBlocks). Threads share the tiles of a
-/// colour (BlockTiles).
+/// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A.
 ///
-/// Steps are taken in single precision, and added up in double. The rounding errors are noise in B x. Vectors
-/// of little energy, which the coarse levels are for, do not see it. Results have the same bits for any number
+/// Consecutive blocks form tiles, which are coloured: tiles of a colour share no row of B. Threads share the tiles of a
+/// colour, and one thread takes the blocks of a tile one after the other. So results have the same bits for any number
 /// of threads.
+///
+/// Steps are taken in single precision, and added to x in double. The rounding errors are noise in B x, which has
+/// no effect on vectors of little energy; these are the ones that coarse levels are for.
 class BlockSmoother
 {
 public:
-  /// Iterations of fields are the same within one from 1.3 to 1.5. Over fans, 1 takes two more.
   static constexpr double UsualRelaxation = 1.4;
 
-  /// A = B^T B, until SetDiagonal. Matrices, tiles and blocks are borrowed and must stay where they are.
-  /// \param B the factor. \param tiles of its rows.
-  /// \param blocks of B, covering all unknowns that are to be smoothed.
+  /// \param B the factor, borrowed. \param tiles of its rows, borrowed.
+  /// \param blocks of columns of B, borrowed, in the order of OrderedByColours; they cover all unknowns that are to be smoothed.
+  ///   \pre none has more than UnknownBlocks::LargestBlock.
+  /// \param D as of SetDiagonal.
   /// \param sweeps before and after the coarse correction, >= 1.
-  /// \param relaxation what steps are multiplied by where D is zero, in (0, 2); by 1 in block Gauss-Seidel.
-  BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const SchwarzBlocks& blocks, int sweeps,
-    double relaxation = UsualRelaxation);
-  BlockSmoother(const BlockSmoother&) = delete; // inverses are referred to
-  BlockSmoother& operator=(const BlockSmoother&) = delete;
+  /// \param relaxation the factor of steps where D is zero, in (0, 2); 1 is block Gauss-Seidel.
+  /// \throw InvalidInput blocks of a tile touch more than 65,536 rows of B.
+  /// Cost: linear in the entries of B, and in the cubes of the sizes of blocks.
+  BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const UnknownBlocks& blocks,
+    const Vector<double>& D, int sweeps, const ExecutionContext& context, double relaxation = UsualRelaxation);
 
-  /// A = B^T B + D.
+  /// Takes another D.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
-  /// Cost: one pass over the unknowns, and the inverses of the blocks where D is not zero.
+  /// Cost: one pass over the unknowns, and the inverses of the blocks where D is or was not zero.
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
 
   /// The unknowns where D is infinite; ascending.
   const std::vector<int>& HeldUnknowns() const { return this->Held; }
 
-  /// Smooths A x = b from x = 0, colours of tiles in ascending order.
+  /// Smooths A x = b from x = 0, colours in ascending order.
   /// \param x, r on exit the result and its residual b - A x; zero where unknowns are held.
   void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context);
 
@@ -65,49 +73,38 @@ public:
   long long Bytes() const;
 
 private:
-  /// Sets the right sides of the sweeps, b - D x, and their steps to zero.
-  /// \param x what the sweeps start from; null for zero.
-  void Begin(const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x = nullptr);
-  /// Calls visit(i, D_i) for unknowns [first, last) where D is neither zero nor infinite.
-  template <class Visit>
-  void ForPenalised(int first, int last, const Visit& visit) const;
+  const int* UnknownsOf(int block) const { return this->Blocks.Unknowns.data() + this->Blocks.Offsets[block]; }
+  void CollectEntries(const SparseMatrix<double>& Bt);
+  bool Touches(const Vector<double>& D, int block) const;
+  /// \param D of all unknowns. \param factor of the result. \param room a zero for each row of the tile; zero on exit.
+  void Invert(int block, const Vector<double>& D, double factor, Vector<double>& room);
   void RunSweeps(bool descending, const ExecutionContext& context);
-  /// Takes the groups of a tile one after the other.
-  void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
-  bool Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const;
-  /// The beginnings of a group in the arrays that are read from first to last.
-  struct Streams
-  {
-    const int* Places;
-    const float* Values;
-    const float* Inverse;
-  };
-  Streams StreamsOf(int group) const;
-  /// \tparam Penalised D is not zero on some of its unknowns.
-  /// \param ahead of a group that is soon to be smoothed, and is asked for meanwhile: between reads from all
-  ///   over the vectors a processor does not foresee how streams go on. It may be smaller; what lies
-  ///   behind it is not read.
-  template <bool Penalised>
-  void SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead);
-  /// Solves for the unknowns of each block of a group.
-  /// \tparam Pack of so many lanes as the group has.
-  /// \param pattern of its blocks. \param places of its unknowns and rows in vectors.
-  template <bool Penalised, class Pack, class Places>
-  void SmoothBlocks(const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead);
+  void SmoothTile(int tile, bool descending);
+  /// \param products the rows of B x that the tile of the block touches.
+  void SmoothBlock(int block, float* products);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
-  const SchwarzBlocks& Blocks;
+  const UnknownBlocks& Blocks;
   const int Sweeps;
-  const float Relaxation;
-  Vector<float> Diagonal;             ///< D where it is finite, else zero; by place
-  std::vector<int> Held;              ///< where D is infinite; ascending
-  std::vector<int> Penalised;         ///< where it is neither that nor zero; ascending
-  std::vector<const float*> Inverses; ///< of each group: of the smoothness energy alone where D is zero
-  std::vector<float> ChangedInverses; ///< where D is not zero
-  Vector<float> Right;                ///< b - D x before the sweeps; by place
-  Vector<float> Step;                 ///< what the sweeps have added to x; by place
-  Vector<float> Bx;                   ///< by place
+  const double Relaxation;
+  PartColouring TileColours; ///< of tiles of blocks
+
+  // All that sweeps read of the blocks, in their order.
+  std::vector<int> RowBegins;               ///< tile t touches Rows[RowBegins[t]] to [RowBegins[t + 1] - 1]
+  std::vector<int> Rows;                    ///< of B
+  std::vector<int> EntryBegins;             ///< of the columns of B, one for each of Blocks.Unknowns
+  std::vector<std::uint16_t> RowsOfEntries; ///< counted from the first row of the tile
+  std::vector<float> Entries;
+  std::vector<std::size_t> InverseBegins;
+  std::vector<float> Inverses; ///< of blocks, times the relaxation; lower triangles by rows
+
+  std::vector<char> AreTouched; ///< the blocks where D is not zero
+  std::vector<int> Held;        ///< ascending
+  Vector<float> Diagonal;       ///< D where it is finite, else zero
+  Vector<float> Right;          ///< b - D x before the sweeps
+  Vector<float> Step;           ///< what the sweeps have added to x
+  Vector<float> Bx;
 };
 
 }

@@ -17,11 +17,11 @@ constexpr int RowGrain = 8192;
 LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D,
   const StiffnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
-  , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
+  , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, this->Scaled(D), options.Sweeps, context)
+  , Penalised(this->PenalisedBy(this->Scaled(D), context))
   , b(hierarchy.NumberOfUnknowns())
   , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
-  this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
   SparseMatrix<double> coarse = this->CoarseMatrix(context);
   const GalerkinOptions coarsening = options.CoarseningOf(static_cast<int>(coarse.rows()));
@@ -31,17 +31,18 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, con
 
 void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
-  this->SetDiagonal(this->Scaled(D), context);
+  const Vector<double> scaled = this->Scaled(D);
+  this->Smoother.SetDiagonal(scaled, context);
+  this->Penalised = this->PenalisedBy(scaled, context);
   context.Checkpoint(0.2);
   this->Coarse->Update(this->CoarseMatrix(context), PartOfContext(context, 0.4, 1.0));
 }
 
-void LeastSquaresCycle::SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context)
+PenalisedUnknowns<double> LeastSquaresCycle::PenalisedBy(
+  const Vector<double>& scaledD, const ExecutionContext& context) const
 {
-  this->Penalised = PenalisedUnknowns<double>(
-    this->Fine.NumberOfUnknowns(), [&scaledD](int i) { return scaledD[i]; },
-    [this](int i) { return this->Fine.Diagonal[i]; }, context);
-  this->Smoother.SetDiagonal(scaledD, context);
+  return { this->Fine.NumberOfUnknowns(), [&scaledD](int i) { return scaledD[i]; },
+    [this](int i) { return this->Fine.Diagonal[i]; }, context };
 }
 
 Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const

@@ -35,8 +35,7 @@ public:
   long long Bytes() const override;
 
 private:
-  /// Sets the diagonal of the smoothers and of the penalised unknowns.
-  void SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context);
+  PenalisedUnknowns<double> PenalisedBy(const Vector<double>& scaledD, const ExecutionContext& context) const;
   /// D of the scaled unknowns.
   Vector<double> Scaled(const Vector<double>& D) const;
   /// P^T B^T B P and the coarse penalties.

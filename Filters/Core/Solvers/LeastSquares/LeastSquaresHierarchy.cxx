@@ -2,6 +2,7 @@
 
 #include "Solvers/Direct/ShiftedFactor.h"
 #include "Solvers/Kernels/FirstOccurrences.h"
+#include "Solvers/LeastSquares/BlockSmoother.h"
 #include "Solvers/LeastSquares/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -27,22 +28,6 @@ int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
 {
   const int begin = A.outerIndexPtr()[row];
   return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
-}
-
-UnknownBlocks Permuted(
-  const UnknownBlocks& blocks, const std::vector<int>& order, const std::vector<int>& placesOfUnknowns)
-{
-  UnknownBlocks permuted;
-  permuted.Unknowns.reserve(blocks.Unknowns.size());
-  for (const int k : order)
-  {
-    for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
-    {
-      permuted.Unknowns.push_back(placesOfUnknowns[blocks.Unknowns[s]]);
-    }
-    permuted.EndBlock();
-  }
-  return permuted;
 }
 
 Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const ExecutionContext& context)
@@ -120,9 +105,18 @@ void Scale(SparseMatrix<Scalar>& A, const RowFactor& rowFactor, const ColumnFact
     });
 }
 
-/// The numbers chain.
+/// Throws unless the sizes of levels chain and the blocks are small enough.
 void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
 {
+  for (int k = 0; k < levels.Blocks.Size(); ++k)
+  {
+    const int size = levels.Blocks.SizeOf(k);
+    if (size > UnknownBlocks::LargestBlock)
+    {
+      throw InvalidInput("block " + std::to_string(k) + " holds " + std::to_string(size) +
+        " unknowns; split it into blocks of at most " + std::to_string(UnknownBlocks::LargestBlock));
+    }
+  }
   if (levels.Prolongation.rows() != unknowns)
   {
     throw InvalidInput("the prolongation to level 0 has " + std::to_string(levels.Prolongation.rows()) +
@@ -171,13 +165,14 @@ std::vector<int> RenumberHierarchically(
   const SortedItems byCoarse = SortByKey(
     Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
     [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context);
-  blocks = Permuted(blocks, byCoarse.Items, Identity(unknowns));
+  SparseMatrix<double> Bt = Adjoint(B, context);
+  blocks = OrderedByColours(Bt, blocks.InOrder(byCoarse.Items), context);
   FirstOccurrences ofUnknowns(unknowns);
   ofUnknowns.Say(blocks.Unknowns.begin(), blocks.Unknowns.end());
   const std::vector<int> order = ofUnknowns.Complete();
   FirstOccurrences ofRows(rows);
   {
-    const SparseMatrix<double> rowsOfUnknowns = Permuted(Adjoint(B, context), order, Identity(rows), context);
+    const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
     ofRows.Say(rowsOfUnknowns.innerIndexPtr(), rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
   }
   std::vector<int> rowOrder = ofRows.Complete();
@@ -233,7 +228,8 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   GiveBackFreedMemory();
   context.Checkpoint(0.8);
 
-  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
+  LeastSquaresHierarchy hierarchy;
+  hierarchy.Blocks = std::move(levels.Blocks);
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
@@ -245,11 +241,6 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   hierarchy.Coarser = std::move(levels.Coarser);
   context.Checkpoint(1.0);
   return hierarchy;
-}
-
-LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
-  : Blocks(std::move(blocks))
-{
 }
 
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
@@ -267,8 +258,9 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
 
 long long LeastSquaresHierarchy::Bytes() const
 {
-  long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
-    this->BytesOfUnknowns() + this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
+  long long sum = BytesOf(this->B) + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
+    this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float)) +
+    static_cast<long long>((this->Blocks.Offsets.size() + this->Blocks.Unknowns.size()) * sizeof(int));
   for (const SparseMatrix<double>& P : this->Coarser)
   {
     sum += BytesOf(P);

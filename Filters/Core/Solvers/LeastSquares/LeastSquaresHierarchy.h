@@ -6,7 +6,7 @@
 #include "Solvers/Kernels/SingleProlongation.h"
 #include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/LeastSquares/PlanarProlongation.h"
-#include "Solvers/LeastSquares/SchwarzBlocks.h"
+#include "Solvers/LeastSquares/UnknownBlocks.h"
 #include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -47,7 +47,7 @@ struct LeastSquaresHierarchyOptions
 class LeastSquaresHierarchy : public StiffnessHierarchy
 {
 public:
-  explicit LeastSquaresHierarchy(SchwarzBlocks blocks);
+  LeastSquaresHierarchy() = default;
   /// Eigen 3.4 would copy the matrices.
   LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
 
@@ -55,7 +55,7 @@ public:
   SparseMatrix<double> B; ///< columns divided by Scales
   Vector<float> Diagonal; ///< of B^T B; 0 to 1
   RowTiles Tiles;         ///< of B, for products with its transpose
-  SchwarzBlocks Blocks;
+  UnknownBlocks Blocks;
   SingleProlongation Prolongation;
   /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
   SparseMatrix<double> CoarseLower;
