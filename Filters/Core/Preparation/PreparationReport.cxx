@@ -29,4 +29,14 @@ std::string PreparationReport::Text() const
   return text;
 }
 
+std::string PreparationReport::TextOfSides() const
+{
+  std::string text;
+  for (const PositiveSide side : this->Sides)
+  {
+    text += (text.empty() ? "" : ", ") + TextOf(side);
+  }
+  return text;
+}
+
 }
