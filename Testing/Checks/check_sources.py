@@ -89,7 +89,7 @@ COMMENT_LIMIT = 900
 
 # A comment that begins with one of these has no subject.
 SUBJECTLESS = re.compile(r"(What|Those|Where|Of|By|So|As|In|How|Which|Else)\b")
-SUBJECTLESS_LIMIT = 14
+SUBJECTLESS_LIMIT = 0
 
 MEASUREMENT = re.compile(
     r"\d (ns|us|ms|s|seconds|minutes|MB|GB)\b"

@@ -161,7 +161,7 @@ public:
     return this->Form;
   }
 
-  /// By edge: it has the value of a line, as it is no diagonal.
+  /// Whether each edge has the value of a line, as it is no diagonal.
   const std::vector<char>& Given() const { return this->IsGiven; }
 
   const TriangleMesh& Mesh;

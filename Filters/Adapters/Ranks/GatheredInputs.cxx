@@ -31,7 +31,7 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-/// Which ranks have data that no rank before them has, too.
+/// Whether each rank has data that no rank before it has, too.
 std::vector<char> HaveOwn(const RanksOfPipeline& ranks, vtkDataObject* data)
 {
   std::string here;

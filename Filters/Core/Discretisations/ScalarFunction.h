@@ -44,7 +44,7 @@ public:
   SparseMatrix<Complex> Stiffness(const ExecutionContext& context) const override;
   SparseMatrix<Complex> ProlongationOfUnknowns(
     const TransportOperator& transport, const ExecutionContext& context) const override;
-  /// Of values alone.
+  /// Sums of values alone.
   std::vector<PowerAtVertex> SumsAtVertices(
     const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names) const override;
 

@@ -112,7 +112,7 @@ public:
     MakeUnique(this->Vertices);
   }
 
-  /// Where a point of the surface is in the tangent plane: in its direction, at its distance through space.
+  /// The place of a point of the surface in the tangent plane: in its direction, at its distance through space.
   Complex Place(const Vector3& point) const
   {
     const Vector3 offset = point - this->Surface.Mesh.Position(this->Centre);

@@ -62,7 +62,7 @@ public:
   {
   }
 
-  /// Of a mesh whose faces are the cells, and whose vertices are the points.
+  /// The relation of a mesh whose faces are the cells, and whose vertices are the points.
   static SurfaceRelation OneToOne(const TriangleMesh& mesh);
 
   /// The cell that a face is a part of.

@@ -43,7 +43,7 @@ public:
   /// \param components of the vertices of this process; below \p bound, by numbers that all processes agree on.
   FreeComponents(
     const std::vector<int>& components, int bound, const std::vector<int>& prescribed, SumOverProcesses sum);
-  /// Those of some vertices.
+  /// The free components among those of some vertices.
   static FreeComponents Of(const std::vector<int>& components, const std::vector<int>& vertices);
 
   bool IsFree(int component) const { return this->AreFree[component] != 0; }

@@ -63,7 +63,7 @@ public:
   /// surface has one reporting rank.
   bool ReportsIndexOf(int element) const;
 
-  /// As FieldSolver::Counts.
+  /// See FieldSolver::Counts.
   StageCounts Counts() const;
 
 private:

@@ -25,7 +25,7 @@ struct GraphOfPiece
   std::vector<PlaceOnRank> PlacesOfGhosts;
 };
 
-/// What the owner of a ghost point says of it.
+/// The sample of a ghost point, as its owner reports it.
 struct SightOfGhost
 {
   PlaceOnRank Sample;

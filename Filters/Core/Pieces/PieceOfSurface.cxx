@@ -32,7 +32,7 @@ void CheckPiece(const SurfacePiece& piece)
   }
 }
 
-/// What CheckElements says of the fans of a piece, which are all used.
+/// CheckElements for the fans of a piece, which are all used.
 void CheckFans(const SurfacePiece& piece, const FansOfPiece& fans, const ElementNames& names)
 {
   if (fans.Corners.rows() == 0)

@@ -34,7 +34,7 @@ std::string TextOf(const FeatureOptions& features)
     (features.FollowsMinimum ? " minimum" : " maximum");
 }
 
-/// Of many guides, sums tell that they are others.
+/// Guides by their numbers and sums, which tell that they are others.
 std::string TextOf(const Guides& guides)
 {
   std::size_t points = 0, weights = 0;

@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// What came from other ranks, in the order of the ranks: the items of rank r are [Begins[r], Begins[r + 1]).
+/// Items from other ranks, in the order of the ranks: the items of rank r are [Begins[r], Begins[r + 1]).
 template <class Item>
 struct Received
 {

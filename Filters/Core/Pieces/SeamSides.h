@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// What a rank has of a surface: triangles that no other rank has.
+/// The part of a surface that a rank has: triangles that no other rank has.
 struct SurfacePiece
 {
   Points Positions;  ///< some may be used by no triangle

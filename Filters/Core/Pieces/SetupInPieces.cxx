@@ -80,7 +80,7 @@ RowsOfRank<Complex> SetupInPieces::OwnedRows(const ExecutionContext& context) co
   return stiffness;
 }
 
-/// Of unknowns, from those of directions.
+/// Prolongations of unknowns, from those of directions.
 std::vector<RowsOfRank<Complex>> SetupInPieces::Prolongations(const ExecutionContext& context) const
 {
   std::vector<RowsOfRank<Complex>> prolongations =

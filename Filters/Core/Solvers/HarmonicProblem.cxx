@@ -404,7 +404,7 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   }
   if (!unprescribed.empty())
   {
-    // Which one of several smoothest fields is found does not depend on what was solved before.
+    // The choice among several smoothest fields does not depend on former solves.
     of.FindSmoothest({}, stop.MaximumIterations, x, context);
   }
   of.System.InsertHeld(values, x);

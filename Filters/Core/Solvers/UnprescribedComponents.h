@@ -16,7 +16,7 @@
 namespace dmg
 {
 
-/// What the smoothest fields depend on, besides the matrix. Of several processes each has some unknowns; components and sizes are those of
+/// The data of smoothest fields, besides the matrix. Of several processes each has some unknowns; components and sizes are those of
 /// all processes together.
 struct MeasureOfFields
 {

@@ -11,7 +11,7 @@ namespace dmg
 namespace
 {
 
-/// What a step has thrown.
+/// The kind of exception that a step has thrown.
 enum class Outcome : char
 {
   Done,

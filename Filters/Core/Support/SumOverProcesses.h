@@ -6,8 +6,8 @@
 namespace dmg
 {
 
-/// Where vectors are spread over several processes, each of which has some of their entries: adds up numbers of all processes, in
-/// place. It is collective. Empty: vectors are whole.
+/// Adds up numbers of all processes, in place: a hook for vectors of which each process has some entries. It is collective. Empty:
+/// vectors are whole.
 using SumOverProcesses = std::function<void(double* numbers, int size)>;
 
 }
