@@ -50,7 +50,8 @@ def ends(element):
     number = int if element.tag.startswith("Int") else float
     for domain in element.iter():
         if domain.tag.endswith("RangeDomain"):
-            yield from ((number(domain.get(end)), step) for end, step in (("min", -1), ("max", 1)) if domain.get(end))
+            for last, step in ((number(domain.get(end)), step) for end, step in (("min", -1), ("max", 1)) if domain.get(end)):
+                yield last, step if last + step != last else step * abs(last)  # 1e30 + 1 is no step
 
 
 def listener(messages):
