@@ -2,7 +2,6 @@
 
 #include "Solvers/Kernels/Packs.h"
 #include "Support/CountingSort.h"
-#include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
@@ -12,7 +11,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <string>
+#include <utility>
+#include <vector>
 
 namespace dmg
 {
@@ -55,24 +55,6 @@ void MultiplySymmetric(const float* triangle, int size, const float* x, float* y
   }
 }
 
-/// Consecutive blocks: what they touch fits the caches of a core, and many threads have some tiles of a colour each.
-class TilesOfBlocks
-{
-public:
-  explicit TilesOfBlocks(const UnknownBlocks& blocks)
-    : NumberOfBlocks(blocks.Size())
-    , BlocksOfTile(std::clamp(blocks.Size() / 64, 128, 1024))
-  {
-  }
-  int Size() const { return (this->NumberOfBlocks + this->BlocksOfTile - 1) / this->BlocksOfTile; }
-  int First(int tile) const { return tile * this->BlocksOfTile; }
-  int Last(int tile) const { return std::min(this->First(tile + 1), this->NumberOfBlocks); }
-
-private:
-  const int NumberOfBlocks;
-  const int BlocksOfTile;
-};
-
 /// Calls visit(row) for the rows of B that some blocks touch, once for each time.
 template <class Visit>
 void ForRows(
@@ -85,11 +67,33 @@ void ForRows(
   }
 }
 
-PartColouring ColourTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks)
+/// Tiles of consecutive blocks: tile t has the blocks [begins[t], begins[t + 1]). The rows that a tile touches fit the caches of a core,
+/// and RowsOfEntries can number them. Many threads have some tiles of a colour each.
+std::vector<int> BeginsOfTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks)
 {
-  const TilesOfBlocks tiles(blocks);
-  return ColourParts(tiles.Size(), static_cast<int>(Bt.cols()),
-    [&](int tile, const auto& visit) { ForRows(Bt, blocks, tiles.First(tile), tiles.Last(tile), visit); });
+  const int mostBlocks = std::clamp(blocks.Size() / 64, 128, 1024);
+  std::vector<int> begins;
+  std::vector<int> lastTiles(Bt.cols(), -1); // that touch each row of B
+  const auto countNewRows = [&](int block)
+  {
+    int count = 0;
+    const int tile = static_cast<int>(begins.size());
+    ForRows(
+      Bt, blocks, block, block + 1, [&](int row) { count += std::exchange(lastTiles[row], tile) == tile ? 0 : 1; });
+    return count;
+  };
+  int rows = 0;
+  for (int k = 0; k < blocks.Size(); ++k)
+  {
+    rows += countNewRows(k);
+    if (begins.empty() || k - begins.back() == mostBlocks || rows > MostRows)
+    {
+      begins.push_back(k);
+      rows = countNewRows(k);
+    }
+  }
+  begins.push_back(blocks.Size());
+  return begins;
 }
 
 }
@@ -97,18 +101,19 @@ PartColouring ColourTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& b
 UnknownBlocks OrderedByColours(
   const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
 {
-  const TilesOfBlocks tiles(blocks);
+  const std::vector<int> begins = BeginsOfTiles(Bt, blocks);
+  const int numberOfTiles = static_cast<int>(begins.size()) - 1;
   std::vector<int> order = Identity(blocks.Size());
   std::vector<char> colours(blocks.Size());
-  const int grain = std::max(1, tiles.Size() / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, tiles.Size(), grain,
+  const int grain = std::max(1, numberOfTiles / (4 * context.NumberOfThreads()));
+  context.ParallelFor(0, numberOfTiles, grain,
     [&](int firstTile, int lastTile)
     {
       std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
       for (int tile = firstTile; tile < lastTile; ++tile)
       {
-        const int first = tiles.First(tile);
-        const int last = tiles.Last(tile);
+        const int first = begins[tile];
+        const int last = begins[tile + 1];
         for (int k = first; k < last; ++k)
         {
           std::uint64_t forbidden = 0;
@@ -144,7 +149,10 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
 {
   assert(relaxation > 0.0 && relaxation < 2.0);
   const SparseMatrix<double> Bt = Adjoint(factor, context);
-  this->TileColours = ColourTiles(Bt, blocks);
+  this->BlockBegins = BeginsOfTiles(Bt, blocks);
+  this->TileColours = ColourParts(this->NumberOfTiles(), static_cast<int>(Bt.cols()),
+    [&](int tile, const auto& visit)
+    { ForRows(Bt, blocks, this->BlockBegins[tile], this->BlockBegins[tile + 1], visit); });
   this->CollectEntries(Bt);
   for (int k = 0; k < blocks.Size(); ++k)
   {
@@ -159,12 +167,11 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
 void BlockSmoother::CollectEntries(const SparseMatrix<double>& Bt)
 {
   std::vector<int> places(Bt.cols(), -1); // of rows of B in the tile
-  const TilesOfBlocks tiles(this->Blocks);
-  for (int tile = 0; tile < tiles.Size(); ++tile)
+  for (int tile = 0; tile < this->NumberOfTiles(); ++tile)
   {
     const int begin = this->RowBegins.back();
-    const int end = this->Blocks.Offsets[tiles.Last(tile)];
-    for (int s = this->Blocks.Offsets[tiles.First(tile)]; s < end; ++s)
+    const int end = this->Blocks.Offsets[this->BlockBegins[tile + 1]];
+    for (int s = this->Blocks.Offsets[this->BlockBegins[tile]]; s < end; ++s)
     {
       for (SparseMatrix<double>::InnerIterator entry(Bt, this->Blocks.Unknowns[s]); entry; ++entry)
       {
@@ -180,11 +187,6 @@ void BlockSmoother::CollectEntries(const SparseMatrix<double>& Bt)
       this->EntryBegins.push_back(static_cast<int>(this->Entries.size()));
     }
     this->RowBegins.push_back(static_cast<int>(this->Rows.size()));
-    if (this->RowBegins.back() - begin > MostRows)
-    {
-      throw InvalidInput("the smoothing blocks from " + std::to_string(tiles.First(tile)) +
-        " on touch too many rows of the factor; split them");
-    }
     std::for_each(this->Rows.begin() + begin, this->Rows.end(), [&places](int row) { places[row] = -1; });
   }
 }
@@ -302,8 +304,8 @@ void BlockSmoother::SmoothTile(int tile, bool descending)
   {
     products[k] = this->Bx[rows[k]];
   }
-  const int first = TilesOfBlocks(this->Blocks).First(tile);
-  const int last = TilesOfBlocks(this->Blocks).Last(tile);
+  const int first = this->BlockBegins[tile];
+  const int last = this->BlockBegins[tile + 1];
   for (int k = first; k < last; ++k)
   {
     this->SmoothBlock(descending ? first + last - 1 - k : k, products.data());
@@ -380,10 +382,10 @@ void BlockSmoother::PostSmooth(const Vector<double>& b, Vector<double>& x, const
 long long BlockSmoother::Bytes() const
 {
   const auto bytes = [](const auto& vector) { return static_cast<long long>(vector.size() * sizeof(vector[0])); };
-  return bytes(this->TileColours.Parts) + bytes(this->RowBegins) + bytes(this->Rows) + bytes(this->EntryBegins) +
-    bytes(this->RowsOfEntries) + bytes(this->Entries) + bytes(this->InverseBegins) + bytes(this->Inverses) +
-    bytes(this->AreTouched) + bytes(this->Held) + bytes(this->Diagonal) + bytes(this->Right) + bytes(this->Step) +
-    bytes(this->Bx);
+  return bytes(this->TileColours.Parts) + bytes(this->BlockBegins) + bytes(this->RowBegins) + bytes(this->Rows) +
+    bytes(this->EntryBegins) + bytes(this->RowsOfEntries) + bytes(this->Entries) + bytes(this->InverseBegins) +
+    bytes(this->Inverses) + bytes(this->AreTouched) + bytes(this->Held) + bytes(this->Diagonal) + bytes(this->Right) +
+    bytes(this->Step) + bytes(this->Bx);
 }
 
 }

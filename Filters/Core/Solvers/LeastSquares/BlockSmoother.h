@@ -48,7 +48,6 @@ public:
   /// \param D as of SetDiagonal.
   /// \param sweeps before and after the coarse correction, >= 1.
   /// \param relaxation the factor of steps where D is zero, in (0, 2); 1 is block Gauss-Seidel.
-  /// \throw InvalidInput blocks of a tile touch more than 65,536 rows of B.
   /// Cost: linear in the entries of B, and in the cubes of the sizes of blocks.
   BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const UnknownBlocks& blocks,
     const Vector<double>& D, int sweeps, const ExecutionContext& context, double relaxation = UsualRelaxation);
@@ -73,6 +72,7 @@ public:
   long long Bytes() const;
 
 private:
+  int NumberOfTiles() const { return static_cast<int>(this->BlockBegins.size()) - 1; }
   const int* UnknownsOf(int block) const { return this->Blocks.Unknowns.data() + this->Blocks.Offsets[block]; }
   void CollectEntries(const SparseMatrix<double>& Bt);
   bool Touches(const Vector<double>& D, int block) const;
@@ -88,7 +88,8 @@ private:
   const UnknownBlocks& Blocks;
   const int Sweeps;
   const double Relaxation;
-  PartColouring TileColours; ///< of tiles of blocks
+  std::vector<int> BlockBegins; ///< tile t has the blocks [BlockBegins[t], BlockBegins[t + 1])
+  PartColouring TileColours;
 
   // All that sweeps read of the blocks, in their order.
   std::vector<int> RowBegins;               ///< tile t touches Rows[RowBegins[t]] to [RowBegins[t + 1] - 1]
