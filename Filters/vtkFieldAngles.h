@@ -4,7 +4,7 @@
  *
  * vtkFieldAngles measures fibre, helix and layer angles: on each triangle, the angle from a reference vector, projected to the plane
  * of the triangle, to the nearest direction of a field. Angles are counted counter-clockwise, seen
- * from outside on closed surfaces and globes, from +z in a plane of constant z, else from the side of the cells. They lie above -180 / N up to 180 / N degrees. For lines and crosses the sign
+ * from the side to which the normal points, and lie above -180 / N up to 180 / N degrees. For lines and crosses the sign
  * of the reference does not matter.
  *
  * @section vtkFieldAngles-Inputs Inputs

@@ -15,11 +15,7 @@
  *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of vectors at its
  *   corners.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
- *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
- *   the neighbours.
- *
- * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
- * that can only be fill values, infinite or 1e8 times the median, are an error. Vectors of a cell stand at the mean of its corners.
+ *   north. They count where index 1 is chosen, instead of vectors.
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the
@@ -41,7 +37,7 @@
  * | GradientPart, RotationalPart, HarmonicPart, Residual  | cells, points  | 3          | the parts, in the unit of the flow             |
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
- * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide |
+ * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive |
  * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential; none of a 1-form |
  *
  * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are
@@ -59,8 +55,6 @@
  * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
- * | CellsWithoutFlow                            | 1          | cells that took no part                                              |
- * | PositiveSide                                | 1          | the outside of closed surfaces and globes, +z in planes of constant z, else the side of the cells |
  * | Solver, Converged, SolverBytes              | 1          | see Filters/HarmonicFieldSolver.md                                   |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
@@ -119,23 +113,6 @@ public:
   vtkGetMacro(EdgeValues, int);
   ///@}
 
-  enum CoordinateKinds
-  {
-    /** The points are places in space. */
-    Space = 0,
-    /** The surface is a flat map: x is the longitude and y the latitude, in degrees. The flow is decomposed on the unit sphere. */
-    LongitudeAndLatitude = 1
-  };
-
-  ///@{
-  /**
-   * What the coordinates of the points are. On a map, vectors in and out are (eastward, northward, upward), and Axis does not count. Default
-   * Space.
-   */
-  vtkSetMacro(Coordinates, int);
-  vtkGetMacro(Coordinates, int);
-  ///@}
-
   enum BoundaryKinds
   {
     /** Coasts: nothing flows through. The stream function is constant on each, and zero on the longest of a component. */
@@ -181,8 +158,8 @@ public:
 
   ///@{
   /**
-   * Whether Divergence and Vorticity are computed, which takes no solve: those of the linear flow nearest to the data around a point. Default
-   * on.
+   * Whether Divergence and Vorticity are computed, which takes no solve. At a point of the boundary they are the means of the inner
+   * points beside it. Default on.
    */
   vtkSetMacro(Derivatives, bool);
   vtkGetMacro(Derivatives, bool);
@@ -275,7 +252,6 @@ protected:
 private:
   std::string EdgeArray = "OneForm";
   int EdgeValues = Integrals;
-  int Coordinates = Space;
   int Boundary = Closed;
   bool GradientPart = true;
   bool RotationalPart = true;

@@ -1,7 +1,6 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
 #include "Adapters/Input/EastAndNorth.h"
-#include "Constraints/WeightsOfPoints.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -132,7 +131,6 @@ Constraints DirectionsOnSurface(
         }
       }));
   WeighByDifference(constraints, differences);
-  WeighPlacesOnce(directions.AtVertices, surface.Geometry.Mesh, relation);
   Add(unusable, LeaveOutUnusable(directions, surface.Geometry));
   return directions;
 }
@@ -220,7 +218,6 @@ Constraints ConstraintsFromArrays(
   {
     constraints = DirectionsOnSurface(choices, input, surface, unusable);
   }
-  WeighPlacesOnce(values, surface.Geometry.Mesh, surface.Relation);
   constraints.Values = std::move(values);
   constraints.Source = SourceOnSurface(choices.Source, input, surface);
   return constraints;

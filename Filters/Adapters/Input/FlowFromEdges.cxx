@@ -150,7 +150,6 @@ public:
   /// \throw InvalidInput an edge has no value.
   const Vector<double>& Complete()
   {
-    this->IsGiven = this->IsKnown;
     if (const int edge = FillDiagonals(this->Mesh, this->Relation, this->Form, this->IsKnown); edge >= 0)
     {
       const auto [a, b] = this->Mesh.EdgeVertices(edge);
@@ -161,16 +160,12 @@ public:
     return this->Form;
   }
 
-  /// Whether each edge has the value of a line, as it is no diagonal.
-  const std::vector<char>& Given() const { return this->IsGiven; }
-
   const TriangleMesh& Mesh;
   const SurfaceRelation& Relation;
 
 private:
   Vector<double> Form;
   std::vector<char> IsKnown;
-  std::vector<char> IsGiven;
 };
 
 std::string NameOfLine(vtkIdType line)
@@ -230,11 +225,7 @@ FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* 
         }
       });
   }
-  const Vector<double> integrals = form.Complete();
-  FaceFlow flow{ FlowOfForm(surface.Geometry, integrals, context), {}, {} };
-  flow.Derivatives = [surface, integrals, isGiven = form.Given()](const ExecutionContext& loops)
-  { return DerivativesOfForm(surface.Geometry, surface.Relation, integrals, isGiven, loops); };
-  return flow;
+  return { FlowOfForm(surface.Geometry, form.Complete(), context), {} };
 }
 
 }

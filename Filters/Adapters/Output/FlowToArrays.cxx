@@ -148,10 +148,11 @@ void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const
 /// Takes away what a former decomposition has left, and this one may not make.
 void RemoveFlowArrays(vtkDataSet* surface)
 {
-  for (const std::string& name : NamesOfFlowArrays())
+  for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, NormalComponent, Potential,
+         StreamFunction, Divergence, Vorticity })
   {
-    surface->GetCellData()->RemoveArray(name.c_str());
-    surface->GetPointData()->RemoveArray(name.c_str());
+    surface->GetCellData()->RemoveArray(name);
+    surface->GetPointData()->RemoveArray(name);
   }
 }
 
@@ -206,18 +207,6 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
   arrays.AddNumbers(BoundaryStreamFunction, scale * parts.StreamValues);
 }
 
-}
-
-std::vector<std::string> NamesOfParts()
-{
-  return { GradientPart, RotationalPart, HarmonicPart, Residual };
-}
-
-std::vector<std::string> NamesOfFlowArrays()
-{
-  std::vector<std::string> names = NamesOfParts();
-  names.insert(names.end(), { NormalComponent, Potential, StreamFunction, Divergence, Vorticity });
-  return names;
 }
 
 void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
@@ -287,9 +276,9 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
   if (options.Derivatives)
   {
-    const DerivativesAtVertices derivatives = flow.Derivatives(context);
-    arrays.AddFunction(Divergence, derivatives.Divergence, 1.0 / scale);
-    arrays.AddFunction(Vorticity, derivatives.Vorticity, 1.0 / scale);
+    const FlowDerivatives& integrals = parts.Derivatives;
+    arrays.AddFunction(Divergence, DensityAtVertices(on.Mesh, integrals.Divergence, context), 1.0 / scale);
+    arrays.AddFunction(Vorticity, DensityAtVertices(on.Mesh, integrals.Vorticity, context), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);

@@ -30,15 +30,14 @@ vtkSmartPointer<vtkDoubleArray> CopyOf(vtkDoubleArray* array);
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
-/// Arrays with a tuple for each cell or point of the surface; where these are no elements of the mesh, zero or another number.
+/// Arrays with a tuple for each cell or point of the surface; zeros where these are no elements of the mesh.
 class ArraysOfElements
 {
 protected:
-  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context, double elsewhere)
+  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context)
     : Data(data)
     , Tuples(static_cast<int>(tuples)) // MeshFromDataSet has seen to it
     , Context(context)
-    , Elsewhere(elsewhere)
   {
   }
 
@@ -62,7 +61,7 @@ protected:
   /// Vectors of a field in frames.
   Points InSpace(const TangentFrames& frames, const Vector<Complex>& field) const;
 
-  /// Calls write(tuple, row of its elements), and fills tuples without elements. Arrays are written from one
+  /// Calls write(tuple, row of its elements), and fills tuples without elements with zeros. Arrays are written from one
   /// end to the other: the arrays that they are made from are smaller.
   template <class RowOf, class Write>
   void ForTuples(const std::vector<double*>& arrays, int components, const RowOf& rowOf, const Write& write) const
@@ -80,7 +79,7 @@ protected:
           }
           for (double* const array : arrays)
           {
-            std::fill_n(array + static_cast<vtkIdType>(components) * tuple, components, this->Elsewhere);
+            std::fill_n(array + static_cast<vtkIdType>(components) * tuple, components, 0.0);
           }
         }
       });
@@ -89,7 +88,6 @@ protected:
   vtkFieldData* const Data;
   const int Tuples;
   const ExecutionContext& Context;
-  const double Elsewhere; ///< where there are no elements
 };
 
 /// Arrays of cells. A cell of several faces has the mean of theirs, by area.
@@ -97,8 +95,8 @@ class ArraysOfCells : public ArraysOfElements
 {
 public:
   ArraysOfCells(const TriangleMesh& mesh, const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data,
-    const ExecutionContext& context, double elsewhere = 0.0)
-    : ArraysOfElements(data, input->GetNumberOfCells(), context, elsewhere)
+    const ExecutionContext& context)
+    : ArraysOfElements(data, input->GetNumberOfCells(), context)
     , Mesh(mesh)
     , Surface(surface)
   {
@@ -144,9 +142,8 @@ private:
 class ArraysOfPoints : public ArraysOfElements
 {
 public:
-  ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context,
-    double elsewhere = 0.0)
-    : ArraysOfElements(data, input->GetNumberOfPoints(), context, elsewhere)
+  ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context)
+    : ArraysOfElements(data, input->GetNumberOfPoints(), context)
     , Surface(surface)
   {
   }

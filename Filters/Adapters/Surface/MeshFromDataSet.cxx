@@ -223,10 +223,6 @@ std::string ContentDigest(vtkDataSet* surface, const PreparationOptions& options
   {
     hash.Add(static_cast<vtkIdType>(options.Strict ? 1 : 2));
   }
-  if (options.IsGlobe)
-  {
-    hash.Add(static_cast<vtkIdType>(3));
-  }
   return hash.Hexadecimal();
 }
 

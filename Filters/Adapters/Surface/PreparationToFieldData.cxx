@@ -24,10 +24,6 @@ void AddPreparation(const PreparationReport& report, const PreparationOptions& o
     array->InsertNextValue(text);
     AddHidden(fieldData, array);
   }
-  vtkNew<vtkStringArray> side;
-  side->SetName(ArrayNames::PositiveSide);
-  side->InsertNextValue(report.TextOfSides());
-  AddHidden(fieldData, side);
   if (options.Strict || !options.JoinPoints)
   {
     vtkNew<vtkIntArray> array;

@@ -11,8 +11,7 @@ namespace dmg
 {
 
 /// Writes what was done to a surface as the text SurfacePreparation, as in "3 cells turned, 12 points joined", and the
-/// options as SurfaceOptions, where they are not the default ones. Nothing stands there where nothing was done. PositiveSide
-/// tells from which side counter-clockwise is positive.
+/// options as SurfaceOptions, where they are not the default ones. Nothing stands there where nothing was done.
 void AddPreparation(const PreparationReport& report, const PreparationOptions& options, vtkFieldData* fieldData);
 
 /// The options by which the filter that wrote the field of a surface has prepared it, or the default ones: a field is

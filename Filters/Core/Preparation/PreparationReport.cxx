@@ -29,14 +29,4 @@ std::string PreparationReport::Text() const
   return text;
 }
 
-std::string PreparationReport::TextOfSides() const
-{
-  std::string text;
-  for (const PositiveSide side : this->Sides)
-  {
-    text += (text.empty() ? "" : ", ") + TextOf(side);
-  }
-  return text;
-}
-
 }

@@ -1,10 +1,7 @@
 #ifndef dmgPreparationReport_h
 #define dmgPreparationReport_h
 
-#include "Mesh/PositiveSide.h"
-
 #include <string>
-#include <vector>
 
 namespace dmg
 {
@@ -20,16 +17,11 @@ struct PreparationReport
   int EdgesCut = 0;       ///< of seams along which a surface with one side only was cut
   int PointsParted = 0;   ///< at which fans of triangles met
 
-  /// The sides from which counter-clockwise is positive, each once (PositiveSide.h).
-  std::vector<PositiveSide> Sides;
-
   /// Whether something is other than it was given. Joined points close seams that nobody sees, and cells without area are
   /// not seen themselves, so these are no change.
   bool IsChanged() const;
   /// A list like "3 cells turned, 12 points joined"; empty where nothing was done.
   std::string Text() const;
-  /// The sides in words; of several components that differ, a list.
-  std::string TextOfSides() const;
 };
 
 }

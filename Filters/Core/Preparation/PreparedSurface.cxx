@@ -1,6 +1,5 @@
 #include "Preparation/PreparedSurface.h"
 
-#include "Mesh/PositiveSide.h"
 #include "Mesh/SpatialOrder.h"
 #include "Preparation/CoincidingPoints.h"
 #include "Preparation/SurfaceRepair.h"
@@ -222,17 +221,6 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
   return surface;
 }
 
-/// Turns components over whose faces are clockwise, seen from the side that counts as positive.
-void TurnToPositiveSide(PreparedSurface& surface, bool isGlobe, const ExecutionContext& context)
-{
-  SidesOfSurface sides = FindSides(surface.Mesh, isGlobe);
-  if (!sides.IsTurned.empty())
-  {
-    surface.Mesh = TurnedOver(surface.Mesh, sides.IsTurned, context);
-  }
-  surface.Report.Sides = std::move(sides.Kinds);
-}
-
 }
 
 PreparedSurface PrepareSurface(
@@ -263,7 +251,6 @@ PreparedSurface PrepareSurface(
     }
   }
   given = CellTriangles(); // frees its memory before more is needed
-  TurnToPositiveSide(*surface, options.IsGlobe, context);
   surface->Relation.SetEdges(surface->Mesh, context);
   return std::move(*surface);
 }

@@ -23,12 +23,9 @@ struct PreparationOptions
   bool JoinPoints = true; ///< points that coincide are one
   bool Strict = false;    ///< what is not an oriented manifold surface is refused; no points are joined
 
-  bool IsGlobe = false; ///< open components lie on a globe around the origin (FindSides)
-
   bool operator==(const PreparationOptions& other) const
   {
-    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict &&
-      this->IsGlobe == other.IsGlobe;
+    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict;
   }
 };
 
@@ -42,8 +39,7 @@ struct PreparedSurface
 
 /// Makes an oriented manifold mesh of whatever triangles there are, without new points.
 ///
-/// Each component is turned over where its cells are clockwise, seen from the side that counts as positive (PositiveSide.h).
-/// Besides, a surface that is one already stays as it is, and costs one pass over its boundary more than the mesh. Else:
+/// A surface that is one already stays as it is, and costs one pass over its boundary more than the mesh. Else:
 /// - Points of the boundary that coincide are joined: equal ones, and those that single precision does not tell
 ///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay, and so do thin layers of
 ///   cells (UniteNear).

@@ -156,7 +156,8 @@ SingularField SingularFieldSolver::Solve(const std::vector<int>& times, int N, c
   }
   const StoppingCriteria stop{ std::min(asked.RelativeTolerance, LargestTolerance), asked.MaximumIterations };
   SingularField field;
-  field.Potential = this->Functions.Solve(source, {}, stop, PartOfContext(context, 0.0, 0.8), NetSource::Refuse,
+  // The sum is zero but for rounding (SurfaceHolonomy::CheckSums).
+  field.Potential = this->Functions.Solve(source, {}, stop, PartOfContext(context, 0.0, 0.8), NetSource::TakeOut,
     former ? former->Potential : Vector<double>());
   field.Rotation = this->RotationOf(field.Potential, N);
   field.Powers = PowersOfConnection(this->Mesh, this->Holonomy.Sides, this->Holonomy.Trees, field.Rotation, N);
