@@ -21,7 +21,7 @@ std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place) const
 {
   const double tolerance = this->Tolerance;
   const double width = std::max(16.0 * tolerance, std::numeric_limits<double>::min());
-  std::vector<std::uint64_t> cells;
+  std::vector<std::uint64_t> cells(8);
   for (int corner = 0; corner < 8; ++corner)
   {
     std::uint64_t hash = 0;
@@ -32,7 +32,7 @@ std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place) const
       hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
       hash ^= hash >> 32;
     }
-    cells.push_back(hash);
+    cells[corner] = hash;
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

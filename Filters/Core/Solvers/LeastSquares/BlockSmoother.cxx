@@ -141,7 +141,7 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   , Relaxation(relaxation)
   , RowBegins({ 0 })
   , EntryBegins({ 0 })
-  , InverseBegins({ 0 })
+  , InverseBegins(blocks.Size() + 1, 0)
   , AreTouched(blocks.Size(), 1) // so that all are inverted
   , Right(factor.cols())
   , Step(factor.cols())
@@ -158,7 +158,7 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   {
     const std::size_t size = blocks.SizeOf(k);
     assert(size <= UnknownBlocks::LargestBlock);
-    this->InverseBegins.push_back(this->InverseBegins.back() + size * (size + 1) / 2);
+    this->InverseBegins[k + 1] = this->InverseBegins[k] + size * (size + 1) / 2;
   }
   this->Inverses.resize(this->InverseBegins.back());
   this->SetDiagonal(D, context);
