@@ -10,7 +10,7 @@
  *
  *   SetInputArrayToProcess(0, 0, 0, association, name).
  *
- * Where nothing is chosen it is Direction0 of the cells, or of the points, or else the active vectors of the cells, or of the
+ * The default is Direction0 of the cells, or of the points, or else the active vectors of the cells, or of the
  * points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the cells is taken for
  * both: the other one is its mean. The array holds one direction of N; the others are those, turned by 2 pi / N. Vectors at
  * points are averaged over the corners of each triangle, as N-th powers. The direction of a tensor of 6 (XX YY ZZ XY YZ XZ) or 9

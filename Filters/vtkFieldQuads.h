@@ -16,7 +16,7 @@
  *
  *   SetInputArrayToProcess(0, 0, 0, association, name).
  *
- * Where nothing is chosen it is Direction0, as vtkHarmonicFieldSolver leaves it; without that, the smoothest cross field is found. A field of 4
+ * The default is Direction0, as vtkHarmonicFieldSolver leaves it; without that, the smoothest cross field is found. A field of 4
  * directions is a cross field. Of a field of 1 or 2, as vectors or principal directions, edges run along the lines and across. Others
  * are refused.
  *

@@ -215,7 +215,7 @@ def check_filter_headers(root):
 
 
 def check_texts(root):
-    folders = ["Filters", "Testing", "ParaViewPlugin", "Documentation", ".ci"]
+    folders = ["Filters", "Testing", "ParaViewPlugin", ".ci"]
     paths = [path for folder in folders for path in files(root / folder, TEXTS)]
     for path in paths + [root / "CMakeLists.txt", root / "CMakePresets.json"]:
         if not path.exists():

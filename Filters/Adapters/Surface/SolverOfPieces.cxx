@@ -2,6 +2,7 @@
 
 #include "Adapters/Ranks/NearPlaces.h"
 #include "Adapters/Surface/SolverOfSurface.h"
+#include "Analysis/BoundaryLoops.h"
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 
@@ -30,20 +31,6 @@ bool AreAllOfMpi(const RanksOfPipeline& ranks)
     MPI_Comm_size(MPI_COMM_WORLD, &size);
   }
   return ranks.AreAll(rank == ranks.Rank() && size == ranks.Size());
-}
-
-/// The vertices of a mesh that a seam may run through.
-std::vector<int> BoundaryVertices(const TriangleMesh& mesh)
-{
-  std::vector<int> vertices;
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    if (mesh.IsBoundaryVertex(vertex))
-    {
-      vertices.push_back(vertex);
-    }
-  }
-  return vertices;
 }
 
 /// Moves points at the rims of pieces by some roundings to where ranks before this one have them: sources that compute the points of

@@ -30,7 +30,7 @@ struct FieldTopology
   Vector<double> Indices;           ///< per vertex (SingularityIndices) or per face (IndicesOfFaces)
   std::vector<BoundaryIndex> Loops; ///< in ascending order of their smallest vertex, with which each begins
   std::vector<int> Cuts;            ///< the edges beyond which direction 0 does not go on as direction 0, ascending
-  /// Of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's, or from its tail to its head.
+  /// The direction as which it goes on there, of 1 to N - 1, from the face of HalfedgeOf to its twin's, or from its tail to its head.
   std::vector<int> Jumps;
   Vector<double> Rotation; ///< per edge; PrincipalMatching or RotationAlongEdges
 };

@@ -20,7 +20,7 @@ std::vector<int> FirstOfDoubled(const Triangles& triangles, const std::vector<in
 
 /// Makes twins of opposite order that have the same corners different again where two solids share a face: else one of them
 /// would be open. A patch of such twins lies between solids if two other triangles, or four and so on, meet it at an edge of its rim.
-/// Where nothing meets a patch, it is one sheet that is given with both of its sides.
+/// A patch that nothing meets is one sheet that is given with both of its sides.
 /// \param takesPart triangles for which it is 0 are no twins.
 /// \param firsts as FirstOfDoubled gives them.
 /// Cost: linear.

@@ -14,7 +14,7 @@ namespace dmg
 
 /// The triangles at an edge of more than two.
 ///
-/// Where as many sides run one way along the edge as the other, the surface may be the boundary of solids. Only sides that
+/// The surface may be the boundary of solids if as many sides run one way along the edge as the other. Only sides that
 /// run in opposite directions are paired then, so nothing is turned and nothing is left open: first the smoothest
 /// continuations, within 45 degrees of a plane, then the two sides of each wedge of the inside. Twins, where two solids share a
 /// face, leave wedges only.

@@ -11,7 +11,7 @@ import shutil
 import sys
 import urllib.parse
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELP = ROOT / "ParaViewPlugin" / "Documentation"
 METHOD = ROOT / "Filters" / "Core"  # its pages have formulas
 
