@@ -140,9 +140,11 @@ private:
   void CheckIds(vtkCellArray* cells, vtkIdType firstCell, const PointAt& pointAt) const
   {
     const vtkIdType size = cells->GetConnectivityArray()->GetNumberOfValues();
+    vtkDataArray* const offsets = cells->GetOffsetsArray(); // VTK 9.1 has no GetOffset
     for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
-      const vtkIdType begin = cells->GetOffset(cell), end = cells->GetOffset(cell + 1);
+      const auto begin = static_cast<vtkIdType>(offsets->GetComponent(cell, 0));
+      const auto end = static_cast<vtkIdType>(offsets->GetComponent(cell + 1, 0));
       if (begin < 0 || end < begin || end > size)
       {
         throw InvalidInput(Cell(firstCell + cell) + " has points " + std::to_string(begin) + " to " +
