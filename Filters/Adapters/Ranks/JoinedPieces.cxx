@@ -232,7 +232,11 @@ std::vector<vtkIdType> FirstsByPlaces(vtkDataSet* joined, const std::vector<vtkI
   std::vector<vtkIdType> firsts = AllNumbers(joined->GetNumberOfPoints());
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    firsts[points[k]] = firsts[points[near.First(places[k])]];
+    const int first = near.First(places[k]);
+    if (first >= 0) // a coordinate that is not a number is near none, not even itself
+    {
+      firsts[points[k]] = firsts[points[first]];
+    }
   }
   return firsts;
 }
