@@ -171,7 +171,7 @@ Guides SomeGuides(const TriangleMesh& mesh, double offset, unsigned seed)
 
 }
 
-TEST(ConstraintsInPieces, GuidesAsOnOneProcess)
+TEST(ConstraintsInPieces, HoldWhatGuidesHoldOnOneProcess)
 {
   struct Distances
   {
@@ -195,7 +195,7 @@ TEST(ConstraintsInPieces, GuidesAsOnOneProcess)
 }
 
 // Two sheets, each of which another rank has where there are two.
-TEST(ConstraintsInPieces, GuidesBetweenTwoSheets)
+TEST(ConstraintsInPieces, GuidesTakeTheSameOfTwoSheetsAsOnOneProcess)
 {
   const test::Surface sheet = test::IrregularPlane(30, 30, 5);
   const double edge = SizesOf(sheet.Mesh()).MeanEdge;
@@ -220,7 +220,7 @@ TEST(ConstraintsInPieces, GuidesBetweenTwoSheets)
   CheckOnAllPartitions(sheets, problem);
 }
 
-TEST(ConstraintsInPieces, GuidesThatMissAreTold)
+TEST(ConstraintsInPieces, GuidesThatMissAreReported)
 {
   FieldProblem problem;
   problem.Guides.Vectors = { { Vector3(50.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0) } };
@@ -231,7 +231,7 @@ TEST(ConstraintsInPieces, GuidesThatMissAreTold)
   CheckOnAllPartitions(test::IrregularSphere(3, 3), problem);
 }
 
-TEST(ConstraintsInPieces, FeaturesAsOnOneProcess)
+TEST(ConstraintsInPieces, FeaturesAreThoseOfOneProcess)
 {
   FieldProblem problem;
   problem.Features.BoundaryWeight = 2.0;
@@ -252,7 +252,7 @@ TEST(ConstraintsInPieces, FeaturesAsOnOneProcess)
   }
 }
 
-TEST(ConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
+TEST(ConstraintsInPieces, PrincipalDirectionsOfAllScalesAreThoseOfOneProcess)
 {
   FieldProblem problem;
   problem.Features.CurvatureWeight = 1.0;
@@ -270,7 +270,7 @@ TEST(ConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
   }
 }
 
-TEST(ConstraintsInPieces, RotationsSmoothingLengthAndCancellingAsOnOneProcess)
+TEST(ConstraintsInPieces, RotationsSmoothingLengthAndCancellingAreThoseOfOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(3, 3);
   const TriangleMesh mesh = surface.Mesh();
@@ -292,7 +292,7 @@ TEST(ConstraintsInPieces, RotationsSmoothingLengthAndCancellingAsOnOneProcess)
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(ConstraintsInPieces, RotationOfNothingIsTold)
+TEST(ConstraintsInPieces, RotationOfNothingIsReported)
 {
   FieldProblem problem;
   problem.Rotation.Everywhere = 0.3;

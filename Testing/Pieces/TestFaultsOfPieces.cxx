@@ -65,7 +65,7 @@ FieldProblem Following(const Constraints& constraints, DiscretisationKind kind =
 
 }
 
-TEST(FaultsOfPieces, WrongDirectionOnOneRank)
+TEST(FaultsOfPieces, AWrongDirectionOnOneRankIsRefusedOnAll)
 {
   const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
@@ -84,7 +84,7 @@ TEST(FaultsOfPieces, WrongDirectionOnOneRank)
   EXPECT_TRUE(solver.Solve(Following(test::OneDirection(solver.Piece()))).Report.Converged);
 }
 
-TEST(FaultsOfPieces, WrongConstraintsOnOneRank)
+TEST(FaultsOfPieces, WrongConstraintsOnOneRankAreRefusedOnAll)
 {
   test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   cut.Piece.Positions.conservativeResize(cut.Piece.Positions.rows() + 1, 3);
@@ -123,7 +123,7 @@ TEST(FaultsOfPieces, WrongConstraintsOnOneRank)
   }
 }
 
-TEST(FaultsOfPieces, WrongWeights)
+TEST(FaultsOfPieces, WrongWeightsAreRefused)
 {
   const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
@@ -136,7 +136,7 @@ TEST(FaultsOfPieces, WrongWeights)
   EXPECT_TRUE(solver.Solve(Following(test::OneDirection(solver.Piece()))).Report.Converged);
 }
 
-TEST(FaultsOfPieces, WrongSurfaceOnOneRank)
+TEST(FaultsOfPieces, AWrongSurfaceOnOneRankIsRefusedOnAll)
 {
   ExpectOnAllRanks<InvalidInput>(
     [](bool isLast)
@@ -162,7 +162,7 @@ TEST(FaultsOfPieces, WrongSurfaceOnOneRank)
     "point");
 }
 
-TEST(FaultsOfPieces, TurnedPieceAndDoubledPieces)
+TEST(FaultsOfPieces, ReversedAndDoubledPiecesAreRefused)
 {
   const Ranks all(MPI_COMM_WORLD);
   if (all.Size() == 1)
@@ -189,7 +189,7 @@ TEST(FaultsOfPieces, TurnedPieceAndDoubledPieces)
     "ranks 0");
 }
 
-TEST(FaultsOfPieces, RanksThatDiffer)
+TEST(FaultsOfPieces, ProblemsThatDifferBetweenRanksAreRefused)
 {
   const Ranks all(MPI_COMM_WORLD);
   if (all.Size() == 1)
@@ -227,7 +227,7 @@ TEST(FaultsOfPieces, RanksThatDiffer)
     "global ids");
 }
 
-TEST(FaultsOfPieces, NothingToSolve)
+TEST(FaultsOfPieces, NothingToSolveIsRefused)
 {
   ExpectOnAllRanks<InvalidInput>(
     [](bool) { FieldSolverInPieces(MPI_COMM_WORLD, SurfacePiece()); }, "no rank has a triangle");
@@ -239,7 +239,7 @@ TEST(FaultsOfPieces, NothingToSolve)
     [&](bool) { solver.Solve(Following({}, DiscretisationKind::FaceField)); }, "gather the surface");
 }
 
-TEST(FaultsOfPieces, NoMemoryOnOneRank)
+TEST(FaultsOfPieces, WantOfMemoryOnOneRankIsToldToAll)
 {
   const Ranks all(MPI_COMM_WORLD);
   ExpectOnAllRanks<MemoryRanOut>(

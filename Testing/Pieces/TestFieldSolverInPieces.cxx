@@ -161,7 +161,7 @@ void CheckOnAllPartitions(const test::Surface& surface, const FieldProblem& prob
 
 }
 
-TEST(FieldSolverInPieces, ArraysAsOnOneProcess)
+TEST(FieldSolverInPieces, FollowsArraysAsOnOneProcess)
 {
   for (const test::Surface& surface : { test::DoubleTorus(8), test::Annulus(30, 6), test::IrregularSphere(4, 3) })
   {
@@ -170,7 +170,7 @@ TEST(FieldSolverInPieces, ArraysAsOnOneProcess)
   }
 }
 
-TEST(FieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
+TEST(FieldSolverInPieces, FollowsGuidesAndFeaturesAsOnOneProcess)
 {
   const test::Surface surface = test::Prism(24, 16);
   FieldProblem problem;
@@ -189,7 +189,7 @@ TEST(FieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(FieldSolverInPieces, SourcesAsOnOneProcess)
+TEST(FieldSolverInPieces, FollowsSourcesAsOnOneProcess)
 {
   // The second component has no value: its function has the mean zero.
   const test::Surface surface =
@@ -208,7 +208,7 @@ TEST(FieldSolverInPieces, SourcesAsOnOneProcess)
   CheckOnAllPartitions(surface, problem);
 }
 
-TEST(FieldSolverInPieces, SmoothestFieldIsThere)
+TEST(FieldSolverInPieces, FindsTheSmoothestFieldWhereNothingIsPrescribed)
 {
   const test::Surface surface = test::IrregularTorus(40, 20, 4);
   const Ranks ranks(MPI_COMM_WORLD);
@@ -252,7 +252,7 @@ TEST(FieldSolverInPieces, StagesAreKept)
   EXPECT_EQ(solver.Counts().Setups, 2);
 }
 
-TEST(FieldSolverInPieces, ReasonsToGatherAreTold)
+TEST(FieldSolverInPieces, ReasonsToGatherAreReported)
 {
   EXPECT_EQ(ReasonToGather({}), "");
   const auto reasonOf = [](const auto& change)
@@ -270,7 +270,7 @@ TEST(FieldSolverInPieces, ReasonsToGatherAreTold)
   EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Features.CurvatureWeight = 1.0; }), "");
 }
 
-TEST(FieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
+TEST(FieldSolverInPieces, WrongProblemsAreRefusedOnAllRanks)
 {
   const test::Surface surface = test::IrregularSphere(3, 3);
   const Ranks ranks(MPI_COMM_WORLD);

@@ -108,7 +108,7 @@ TEST(PetscSession, OursEndsWithTheLastSolver)
   second.Again();
 }
 
-TEST(PetscSession, SomebodyElseBeforeAndAfter)
+TEST(PetscSession, SomebodyElseMayComeBeforeAndAfter)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -132,7 +132,7 @@ TEST(PetscSession, SomebodyElseBeforeAndAfter)
 }
 
 /// Their options and their handler of errors count for them, not for us.
-TEST(PetscSession, OptionsOfSomebodyElse)
+TEST(PetscSession, OptionsOfSomebodyElseDoNotCount)
 {
   ASSERT_EQ(PetscInitializeNoArguments(), 0);
   EXPECT_EQ(PetscOptionsSetValue(nullptr, "-ksp_type", "gmres"), 0);
@@ -144,7 +144,7 @@ TEST(PetscSession, OptionsOfSomebodyElse)
   EXPECT_EQ(PetscFinalize(), 0);
 }
 
-TEST(PetscSession, EndedUnderASolver)
+TEST(PetscSession, EndingItUnderASolverIsAnError)
 {
   ASSERT_EQ(PetscInitializeNoArguments(), 0);
   FieldSolverInPieces solver(MPI_COMM_WORLD, test::PieceHere(test::Icosphere(3)).Piece);
@@ -157,7 +157,7 @@ TEST(PetscSession, EndedUnderASolver)
 }
 
 /// The parts solve at the same time, each for a surface of its own.
-TEST(PetscSession, PartsOfAllRanks)
+TEST(PetscSession, PartsOfTheRanksSolveAtTheSameTime)
 {
   const Ranks all(MPI_COMM_WORLD);
   const int half = 2 * all.Rank() < all.Size() ? 0 : 1;
@@ -170,7 +170,7 @@ TEST(PetscSession, PartsOfAllRanks)
 }
 
 /// The first solver is of some ranks, the next one of all, and they end in this order or in the other one.
-TEST(PetscSession, SomeRanksAndAll)
+TEST(PetscSession, SolversOfSomeRanksAndOfAllEndInAnyOrder)
 {
   const Ranks all(MPI_COMM_WORLD);
   const PartOfRanks part(all.Rank() == 0 ? 1 : 0);
@@ -195,7 +195,7 @@ TEST(PetscSession, SomeRanksAndAll)
   }
 }
 
-TEST(PetscSession, PartsWithPetscOfSomebodyElse)
+TEST(PetscSession, PartsOfTheRanksMayUseThatOfSomebodyElse)
 {
   const Ranks all(MPI_COMM_WORLD);
   const PartOfRanks part(all.Rank() % 2);

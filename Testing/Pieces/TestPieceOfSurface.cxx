@@ -160,7 +160,7 @@ TEST(PieceOfSurface, ComponentsAreThoseOfTheSurface)
     });
 }
 
-TEST(PieceOfSurface, PinchedPiecesAndSlits)
+TEST(PieceOfSurface, PinchedPointsArePartedAndSlitsAreClosed)
 {
   // Two tetrahedra that share a corner are two components, whoever has them.
   const test::Surface pinched = test::PinchedTetrahedra();

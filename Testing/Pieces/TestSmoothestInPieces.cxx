@@ -114,7 +114,7 @@ void ExpectSameEigenvalues(const Field& field, const Field& expected)
 
 }
 
-TEST(SmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
+TEST(SmoothestInPieces, IsThatOfOneProcessUpToItsPhase)
 {
   struct Problem
   {
@@ -159,7 +159,7 @@ TEST(SmoothestInPieces, SameFieldAsOnOneProcessUpToItsPhase)
 
 /// The lowest eigenvalue of a sphere is multiple, and any of its vectors is as good: it is one if L x = theta M x. The error of x
 /// in the energy norm is about the norm of that residual in L^-1, over the distance to the next eigenvalue.
-TEST(SmoothestInPieces, MultipleEigenvaluesOfSpheres)
+TEST(SmoothestInPieces, MultipleEigenvaluesOfSpheresHaveAnyOfTheirFields)
 {
   const test::Surface surface = test::Icosphere(4);
   for (const int N : { 1, 4 })
@@ -185,7 +185,7 @@ TEST(SmoothestInPieces, MultipleEigenvaluesOfSpheres)
   }
 }
 
-TEST(SmoothestInPieces, ComponentsWithoutConstraints)
+TEST(SmoothestInPieces, ComponentsWithoutConstraintsHaveTheirOwn)
 {
   // Three components; the second is on one rank only, and so is the third.
   const test::Surface first = Bent(test::IrregularTorus(40, 20, 4));

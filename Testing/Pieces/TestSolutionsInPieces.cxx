@@ -170,7 +170,7 @@ FieldOptions Functions()
 
 }
 
-TEST(SolutionsInPieces, SoftDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, SoftDirectionsHaveTheFieldOfOneProcess)
 {
   for (const Problem& problem : Problems())
   {
@@ -186,7 +186,7 @@ TEST(SolutionsInPieces, SoftDirectionsAsOnOneProcess)
   }
 }
 
-TEST(SolutionsInPieces, HardDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, HardDirectionsHaveTheFieldOfOneProcess)
 {
   FieldOptions options = Crosses();
   options.Constraints = ConstraintKind::Hard;
@@ -197,7 +197,7 @@ TEST(SolutionsInPieces, HardDirectionsAsOnOneProcess)
   }
 }
 
-TEST(SolutionsInPieces, RegionsOfDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, RegionsOfDirectionsHaveTheFieldOfOneProcess)
 {
   FieldOptions options = Crosses();
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -209,7 +209,7 @@ TEST(SolutionsInPieces, RegionsOfDirectionsAsOnOneProcess)
   }
 }
 
-TEST(SolutionsInPieces, AllWeightsAsOnOneProcess)
+TEST(SolutionsInPieces, AllWeightsHaveTheFieldOfOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(5, 3);
   for (const double alignment : { 1e-6, 1e-3, 1e4, 1e8, 1e12 })
@@ -221,7 +221,7 @@ TEST(SolutionsInPieces, AllWeightsAsOnOneProcess)
   }
 }
 
-TEST(SolutionsInPieces, FunctionsAsOnOneProcess)
+TEST(SolutionsInPieces, FunctionsAreThoseOfOneProcess)
 {
   FieldOptions options = Functions();
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -235,14 +235,14 @@ TEST(SolutionsInPieces, FunctionsAsOnOneProcess)
   }
 }
 
-TEST(SolutionsInPieces, FourLevelsAsOnOneProcess)
+TEST(SolutionsInPieces, FourLevelsHaveTheFieldOfOneProcess)
 {
   const test::Surface surface = test::IrregularTorus(300, 120, 6);
   Comparison comparison(surface, Crosses(), SomeDirections(surface.Mesh()));
   comparison.Check(test::Partitions()[0], "large torus");
 }
 
-TEST(SolutionsInPieces, AnyNumberOfDirectionsAsOnOneProcess)
+TEST(SolutionsInPieces, AnyNumberOfDirectionsHasTheFieldOfOneProcess)
 {
   const test::Surface surface = test::IrregularSphere(4, 3);
   for (const int N : { 1, 2, 6 })

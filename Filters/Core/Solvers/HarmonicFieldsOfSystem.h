@@ -15,13 +15,12 @@ namespace dmg
 {
 
 /// The harmonic fields as deflation takes them: they are zero where unknowns are held, and take the share R / (R + D) where
-/// unknowns are penalised (PenalisedUnknowns). Strong penalties would otherwise give them so much energy that they helped
-/// nothing: 46 iterations were seen instead of 13. But where there is a harmonic field with any values that may be
-/// prescribed, it is the solution, and the fields stay as they are.
+/// unknowns are penalised (PenalisedUnknowns). Otherwise strong penalties would give them so much energy that deflation had no
+/// effect. If a harmonic field exists for any prescribed values, it is the solution, and the fields stay as they are.
 Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const StiffnessHierarchy& hierarchy,
   const Vector<double>& D, const ExecutionContext& context);
 
-/// The largest energy that some vectors could have if nothing cancelled. Slivers have large scales, and hardly count.
+/// The largest energy that some vectors could have if nothing cancelled.
 double LargestEnergy(const Eigen::MatrixXd& vectors, const StiffnessHierarchy& hierarchy, const Vector<double>& D,
   const ExecutionContext& context);
 

@@ -22,7 +22,7 @@ namespace dmg
 namespace
 {
 
-// Who allows fewer wants an answer in that time, and no factor after it.
+// A lower limit means a time budget: do not fall back to a factor.
 constexpr int FewestIterationsBeforeFactor = 100;
 
 }
@@ -80,8 +80,8 @@ private:
   /// Solves by a factor, V-cycles or conjugate gradients.
   void Iterate(Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
     Vector<double>& x, const ExecutionContext& context);
-  /// Conjugate gradients with a factor instead of cycles, which have not converged, from where these are. Where there
-  /// is none, all stays as it was.
+  /// Continues by conjugate gradients with a factor from the last iterate of the cycles, which have not converged. If the
+  /// factorisation fails, all stays as it was.
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
 

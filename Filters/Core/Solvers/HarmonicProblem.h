@@ -16,8 +16,7 @@
 namespace dmg
 {
 
-/// The linear system of every most harmonic field, with its solver: the system stage, and the solve stage on top
-/// of it.
+/// The linear system of a smoothest field, and its solver: the stages system and solve.
 ///
 ///   soft  argmin  s x^T R x + sum_b m_b |x_b - y_b|^2
 ///   hard  argmin  x^T R x  subject to  x_b = y_b

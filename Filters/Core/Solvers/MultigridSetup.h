@@ -11,13 +11,12 @@
 namespace dmg
 {
 
-/// The last part of the set-up, which depends on the stiffness matrix alone. All is in the order of
-/// the hierarchy.
+/// The parts that solvers reuse between systems: hierarchy, mass, kernel. Vectors are in the hierarchy's order.
 struct MultigridSetup
 {
-  std::string Fields;    ///< whose smoothness energy it is: a discretisation by name
-  std::string Name;      ///< says in reports what the coarse levels hold
-  bool HasLevels = true; ///< else it is to be factored
+  std::string Fields;    ///< the discretisation by name
+  std::string Name;      ///< the coarse levels by name, for reports
+  bool HasLevels = true; ///< else the system is factored
   SolverTuning Tuning;
   std::unique_ptr<const StiffnessHierarchy> Hierarchy;
   /// The diagonal of the inner product that errors are measured in; see ConvergenceMeasure.

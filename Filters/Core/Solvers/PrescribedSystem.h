@@ -22,8 +22,8 @@ struct LinearSystem
   Vector<double> RightHandSide;
 };
 
-/// The equations of a HarmonicProblem, (R + D) x = D y, without a solver: what prescriptions make of a smoothness energy. All is in
-/// the order of the hierarchy, and divided by the smoothness weight.
+/// The equations of a HarmonicProblem, (R + D) x = D y, without a solver. Vectors are in the order of the hierarchy, and all is
+/// divided by the smoothness weight.
 class PrescribedSystem
 {
 public:
@@ -39,7 +39,7 @@ public:
 
   /// A = R + D.
   const StiffnessOperator& Matrix() const { return *this->A; }
-  /// D, infinite where an unknown is held. It is made at each call, since a matrix and cycles keep what they need of it.
+  /// D, infinite where an unknown is held. Each call computes it, as operators and cycles keep their own form.
   Vector<double> Diagonal() const;
   /// Unknowns that are not free, ascending.
   const std::vector<int>& Held() const { return this->HeldUnknowns; }
@@ -50,9 +50,8 @@ public:
   /// D y or, of hard prescriptions, -R y; zero where unknowns are held.
   /// \param values y, one per prescribed unknown.
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
-  /// The diagonal solution D y / (R + D), with the diagonal of R. Solvers start from there: weak penalties
-  /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
-  /// rest in residuals.
+  /// The initial guess: the diagonal solution D y / (R + D), with the diagonal of R. Without it, strong penalties would
+  /// dominate the residual.
   Vector<double> HeldByPenalties(const Vector<double>& values) const;
   /// (R + D) x = D y with a matrix, in the caller's order. An unknown that is held has the row and the column of the identity,
   /// and its value on the right. On components without prescriptions A is R, and b is zero.

@@ -57,18 +57,17 @@ struct SolverOptions
 /// Options that measurements chose for a discretisation (its file names them); not for users.
 struct SolverTuning
 {
-  /// Automatic factors systems of at most so many unknowns.
+  /// The largest system that Automatic factors, in unknowns.
   int LargestForCholesky = 20000;
-  /// Automatic factors where at least so many solves are expected, whatever the size.
+  /// The least number of expected solves for which Automatic factors systems of any size.
   int SolvesForCholesky = std::numeric_limits<int>::max();
-  /// The finest level gets so many times as many sweeps as the others, >= 1.
+  /// Sweeps on the finest level over sweeps on a coarse level, >= 1.
   int FinestSweepsFactor = 1;
-  /// V-cycles on the first coarse level that stand in for its solution, >= 1; where smoothness energy and
-  /// penalties are kept apart.
+  /// V-cycles that replace the solution on the first coarse level, >= 1. They count where R and D are kept apart.
   int CoarseCycles = 1;
-  /// The first coarse level is factored instead if it has at most so many unknowns; there as well.
+  /// The largest first coarse level that is factored instead, in unknowns.
   int LargestCoarseFactor = 0;
-  /// V-cycles in a row that count as one, of an assembled matrix (CycleOptions::Repetitions), >= 1.
+  /// V-cycles of an assembled matrix that count as one (CycleOptions::Repetitions), >= 1.
   int CyclesInARow = 1;
   /// The number of times that the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;

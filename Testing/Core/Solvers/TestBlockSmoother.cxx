@@ -392,7 +392,7 @@ TEST(BlockSmoother, SweepsReduceTheEnergyOfTheError)
   }
 }
 
-TEST(BlockSmoother, SameBitsForAnyNumberOfThreads)
+TEST(BlockSmoother, HasTheSameBitsForAnyNumberOfThreads)
 {
   // More tiles of a colour than threads; and a colour per tile.
   for (const Squares& squares : { Ring(20000), Fan(150) })

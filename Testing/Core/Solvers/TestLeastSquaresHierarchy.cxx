@@ -122,13 +122,13 @@ void ExpectComponents(const LeastSquaresHierarchy& hierarchy, const std::vector<
   EXPECT_LT(*components.rbegin(), hierarchy.NumberOfUnknowns());
 }
 
-class TestLeastSquaresHierarchy : public ::testing::TestWithParam<SurfaceProblem::Of>
+class AnyLeastSquaresHierarchy : public ::testing::TestWithParam<SurfaceProblem::Of>
 {
 };
 
 }
 
-TEST_P(TestLeastSquaresHierarchy, OperatorIsTheStiffnessAndTheDiagonal)
+TEST_P(AnyLeastSquaresHierarchy, OperatorIsTheStiffnessAndTheDiagonal)
 {
   const SurfaceProblem problem(test::IrregularTorus(40, 16, 3), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -177,7 +177,7 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheStiffnessAndTheDiagonal)
   }
 }
 
-TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
+TEST_P(AnyLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
 {
   const SurfaceProblem problem(test::IrregularPlane(20, 16, 4), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -204,14 +204,14 @@ TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
   }
 }
 
-TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
+TEST_P(AnyLeastSquaresHierarchy, BlocksAreThoseGiven)
 {
   const SurfaceProblem problem(test::IrregularPlane(20, 16, 4), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
   EXPECT_EQ(SetsOf(hierarchy.Blocks, hierarchy.Order), SetsOf(problem.Levels.Blocks, Identity(problem.Size())));
 }
 
-TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
+TEST_P(AnyLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
 {
   const SurfaceProblem problem(test::IrregularTorus(32, 14, 3), GetParam());
   for (const LeastSquaresHierarchyOptions& options : { LeastSquaresHierarchyOptions(), WithoutSmoothing() })
@@ -228,7 +228,7 @@ TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
   }
 }
 
-TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
+TEST_P(AnyLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
 {
   const SurfaceProblem problem(test::IrregularTorus(32, 14, 3), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy(WithoutSmoothing());
@@ -247,7 +247,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   EXPECT_LT(energy({}), energy(once));
 }
 
-TEST_P(TestLeastSquaresHierarchy, ComponentsAreThoseOfTheSurface)
+TEST_P(AnyLeastSquaresHierarchy, ComponentsAreThoseOfTheSurface)
 {
   const test::Surface torus = test::IrregularTorus(24, 10, 3);
   const SurfaceProblem alone(torus, GetParam());
@@ -274,7 +274,7 @@ TEST_P(TestLeastSquaresHierarchy, ComponentsAreThoseOfTheSurface)
   ExpectComponents(both.Hierarchy(), pieces);
 }
 
-TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
+TEST_P(AnyLeastSquaresHierarchy, HasTheSameBitsForAnyNumberOfThreads)
 {
   const SurfaceProblem problem(test::IrregularTorus(96, 40, 3), GetParam());
   const LeastSquaresHierarchy expected = problem.Hierarchy();
@@ -300,7 +300,7 @@ TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST_P(TestLeastSquaresHierarchy, ReportsProgressOnceAndStopsWhenAsked)
+TEST_P(AnyLeastSquaresHierarchy, ReportsProgressOnceAndStopsWhenAsked)
 {
   const SurfaceProblem problem(test::IrregularTorus(24, 10, 3), GetParam());
   const test::TbbContext all(2);
@@ -317,7 +317,7 @@ TEST_P(TestLeastSquaresHierarchy, ReportsProgressOnceAndStopsWhenAsked)
   EXPECT_GT(hierarchy.Bytes(), 12 * hierarchy.B.nonZeros() + 6 * hierarchy.Prolongation.NonZeros());
 }
 
-TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
+TEST_P(AnyLeastSquaresHierarchy, WrongSizesAreRefused)
 {
   const SurfaceProblem problem(test::IrregularTorus(24, 10, 5), GetParam());
   const auto make = [&problem](LeastSquaresLevels levels)
@@ -339,10 +339,10 @@ TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
   EXPECT_THROW(make(levels), InvalidInput);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, TestLeastSquaresHierarchy, ::testing::ValuesIn(BothKinds),
+INSTANTIATE_TEST_SUITE_P(Of, AnyLeastSquaresHierarchy, ::testing::ValuesIn(BothKinds),
   [](const auto& info) { return info.param == SurfaceProblem::Of::FaceFields ? "FaceFields" : "OneForms"; });
 
-TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
+TEST(LeastSquaresHierarchy, ComponentsAreConnectedThroughB)
 {
   // A path of one unknown has an empty column: a component of its own, of length 1.
   const Paths paths({ 7, 1, 12, 1, 30 });
@@ -379,7 +379,7 @@ TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
   }
 }
 
-TEST(TestLeastSquaresHierarchyOfPaths, ZerosConnectNothing)
+TEST(LeastSquaresHierarchy, ZerosConnectNothing)
 {
   Paths paths({ 20 });
   for (SparseMatrix<double>::InnerIterator entry(paths.B, 9); entry; ++entry)

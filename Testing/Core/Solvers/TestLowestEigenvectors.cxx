@@ -72,7 +72,7 @@ double LowestEigenvalue(int length)
 }
 
 // x_k = sin(k pi / (n + 1)).
-TEST(LowestEigenvectors, OfChainsOfSpringsAreSines)
+TEST(LowestEigenvectors, ChainsOfSpringsHaveSines)
 {
   const std::vector<int> lengths{ 50, 1, 20, 300 };
   const SparseMatrix<double> A = Chains(lengths);
@@ -145,7 +145,7 @@ TEST(LowestEigenvectors, DependOnTheStartAlone)
 
 // A x = M x / 2 for any x: solved at the start, pairs of unknowns stay as they are while the iteration goes on for the others,
 // although nothing but rounding errors is left of their residuals.
-TEST(LowestEigenvectors, OfPartsThatAreSolvedStayNormal)
+TEST(LowestEigenvectors, PartsThatAreSolvedStayNormal)
 {
   std::vector<int> lengths(2000, 2);
   lengths.push_back(300);
@@ -187,7 +187,7 @@ TEST(LowestEigenvectors, OfPartsThatAreSolvedStayNormal)
 
 // Both halves of a part have almost the same eigenvalue, as both sides of a thin plate do. Blocks of vectors find it, for all
 // parts in the applications that the slowest takes.
-TEST(LowestEigenvectors, OfManyPartsWithCloseEigenvaluesCostWhatThoseOfOneDo)
+TEST(LowestEigenvectors, ManyPartsWithCloseEigenvaluesCostWhatOneDoes)
 {
   class Counted : public Preconditioner<double>
   {

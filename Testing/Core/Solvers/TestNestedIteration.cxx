@@ -166,7 +166,7 @@ TYPED_TEST(AnyNestedIteration, CyclesOnEachLevelConverge)
   EXPECT_THROW(nested.Solve(b, options, x, report, SerialContext()), InvalidInput);
 }
 
-TEST(AnyNestedIteration, SolvesPoissonProblemsOnALineAndInACube)
+TEST(NestedIteration, SolvesPoissonProblemsOnALineAndInACube)
 {
   for (const int dimension : { 1, 3 })
   {

@@ -60,7 +60,7 @@ TEST(PenalisedUnknowns, TakeTheCorrectionOfLeastEnergy)
   }
 }
 
-TEST(PenalisedUnknowns, HasTheSameBitsForAnyNumberOfThreads)
+TEST(PenalisedUnknowns, HaveTheSameBitsForAnyNumberOfThreads)
 {
   constexpr int Size = 50000; // several pieces of a loop
   const auto corrected = [](const ExecutionContext& context)

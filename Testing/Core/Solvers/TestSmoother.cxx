@@ -159,7 +159,7 @@ TYPED_TEST(AnySmoother, GaussSeidelSolvesTriangles)
 }
 
 // With any diagonal, and without unknowns that are held.
-TYPED_TEST(AnySmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
+TYPED_TEST(AnySmoother, WithADiagonalItIsGaussSeidelOfTheFreeUnknowns)
 {
   const OrderedGrid<TypeParam> grid(4, Ordered::ByManyColours);
   Vector<double> inverse(grid.Size());
@@ -240,7 +240,7 @@ TYPED_TEST(AnySmoother, HasTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(SinglePrecisionSmoother, PairsAreTakenAtOnce)
+TEST(Smoother, PairsAreTakenAtOnce)
 {
   const OrderedGrid<double> grid(5, Ordered::ByTilesOfPairs);
   TriangularParts<float> parts;

@@ -27,8 +27,8 @@ namespace dmg
 /// stay diag(A)-orthogonal to the kernel: of all solutions they find the one that is least in the norm of diag(A), up
 /// to rounding errors of epsilon / shift.
 ///
-/// What is determined next to nothing is still solved for: x is huge in it, and no residual can fall below epsilon
-/// |diag(A) x| / |b|, whatever the shift. Such fields have to be left out of the problem.
+/// Nearly undetermined modes remain. They make x large, and the residual stays above epsilon |diag(A) x| / |b|, whatever the
+/// shift. Deflate them first.
 ///
 /// With a matrix that was assembled, the product A x has rounding errors of epsilon |A| |x|, as the pivots have. Where the
 /// smallest eigenvalues count, conjugate gradients take B^T (B x) + D x instead (AssembledHierarchy).
@@ -37,7 +37,7 @@ class ShiftedFactor : public Preconditioner<Scalar>
 {
 public:
   static constexpr double SmallestShift = 1e-13;
-  /// A breakdown makes the shift so many times as large.
+  /// The factor by which the shift grows after a breakdown.
   static constexpr double Growth = 100.0;
   static constexpr double LargestShift = 1e-7;
 

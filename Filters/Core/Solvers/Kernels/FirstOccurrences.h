@@ -7,7 +7,7 @@
 namespace dmg
 {
 
-/// An order of the numbers 0 to size - 1: as they are first said, and then those that are not.
+/// A permutation of the numbers 0 to size - 1 by first occurrence; numbers that never occur come last.
 class FirstOccurrences
 {
 public:
@@ -18,14 +18,14 @@ public:
   }
 
   template <class Iterator>
-  void Say(Iterator begin, Iterator end)
+  void Add(Iterator begin, Iterator end)
   {
     for (; begin != end; ++begin)
     {
-      this->Say(*begin);
+      this->Add(*begin);
     }
   }
-  void Say(int number)
+  void Add(int number)
   {
     if (!std::exchange(this->HaveOccurred[number], 1))
     {
@@ -33,12 +33,12 @@ public:
     }
   }
 
-  /// Nothing can be said after it.
+  /// The permutation. \pre the first call.
   std::vector<int> Complete()
   {
     for (int number = 0; number < static_cast<int>(this->HaveOccurred.size()); ++number)
     {
-      this->Say(number);
+      this->Add(number);
     }
     return std::move(this->Order);
   }

@@ -75,9 +75,8 @@ struct PairedRow
   }
 };
 
-/// A matrix of short rows, where rows of equal length follow each other: loops over a known number of
-/// entries are unrolled, and a processor foresees where the others end. Pairs of real entries side by side are
-/// taken at once.
+/// A matrix of short rows, sorted in runs of equal length. Loops over a known number of entries are unrolled, and branch prediction
+/// serves the others. Pairs of neighbouring real entries are processed together.
 template <class Value>
 class RowRuns
 {

@@ -10,9 +10,8 @@
 namespace dmg
 {
 
-/// Ranges of rows of a sparse matrix, for products with its transpose: threads add what their rows give to
-/// the columns, in an order that does not depend on their number. Rows near each other should have columns
-/// in common, and few with rows elsewhere.
+/// Tiles of consecutive rows of a sparse matrix, coloured so that tiles of a colour share no column. A^T x is summed colour by
+/// colour, hence deterministically. Rows near each other should have columns in common, and few with rows elsewhere.
 class RowTiles
 {
 public:

@@ -22,8 +22,8 @@ struct SweepOrder
 };
 
 /// Greedy colours: each unknown, in ascending order, takes the smallest colour free among its neighbours.
-/// Within a colour, unknowns with as many neighbours of earlier and of later colours follow each
-/// other, so that loops over their rows repeat their lengths and run a sixth faster; then ascending.
+/// Within a colour, unknowns are sorted by the numbers of their neighbours of earlier and of later colours, so that the lengths of
+/// loops over their rows repeat; then ascending.
 template <class Scalar>
 SweepOrder Colouring(const SparseMatrix<Scalar>& A);
 

@@ -11,8 +11,8 @@
 namespace dmg
 {
 
-/// A matrix but for its diagonal as smoothers read it: the parts left and right of it, so that half a
-/// product touches half the memory. Columns of a row are in any order.
+/// The strictly lower and the strictly upper triangle of a matrix, stored apart for Gauss-Seidel: half a product touches half
+/// the memory. Columns of a row are in any order.
 template <class Value>
 struct TriangularParts
 {

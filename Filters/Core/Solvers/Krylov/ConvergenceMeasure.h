@@ -15,7 +15,7 @@ namespace dmg
 /// error. The former is no energy: after coarse prolongation it is above one in the thesis's
 /// tables, where a minimum over a space that holds zero cannot be. Energy is what x minimises.
 ///
-/// Cost: about three passes over a vector per row. A solver's clock stands still meanwhile.
+/// Cost: about three passes over a vector per row. It does not count in the solve time.
 template <class Scalar>
 struct ConvergenceMeasure
 {

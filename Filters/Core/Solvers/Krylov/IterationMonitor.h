@@ -15,10 +15,10 @@
 namespace dmg
 {
 
-/// The common part of iterative solvers of A x = b: the start, the history, the best vector met so far, and
-/// the ways to end. Its methods are called in the order in which they stand here.
+/// The bookkeeping of iterative solvers of A x = b: start, history, best iterate, stopping. Call the methods in the order of
+/// declaration.
 ///
-/// Residuals r = b - A x are measured by what they say of the error e = x - A^-1 b: in the norm of the preconditioner B,
+/// Residuals r = b - A x are measured by the error e = x - A^-1 b that they mean: in the norm of the preconditioner B,
 ///
 ///   |r|_B = sqrt(r^H B r) ,   which is the energy norm |e|_A of the error where B is the inverse of A ,
 ///
@@ -66,7 +66,7 @@ public:
     return (this->IsMeasured || (this->Stop.MayEstimate && this->IsSteady)) && this->SeemsConverged();
   }
 
-  /// The last row is measured for good: its x is the best vector, or the one before stays it.
+  /// Accepts the last residual, and keeps x if it is the best so far.
   void KeepBest();
 
   /// False once the iterations are used up. Otherwise reports progress.

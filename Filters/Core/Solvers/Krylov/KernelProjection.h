@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// Takes what a vector has in common with the kernel of a matrix out of it.
+/// The orthogonal projector onto the complement of the kernel of a matrix.
 class KernelProjection
 {
 public:
@@ -31,8 +31,7 @@ private:
   Eigen::MatrixXd Kernel;
 };
 
-/// A where its kernel has no part. What counts as kernel has energies of rounding errors rather than none,
-/// and a residual could not fall below their roots.
+/// P A with the projector P. Without P, rounding errors in the kernel bound the residual from below.
 class OperatorOutsideKernel : public LinearOperator<double>
 {
 public:

@@ -56,8 +56,8 @@ struct EigenProblem
 /// \param report its Iterations (with the sum of all theta as Energy), SolveSeconds, Converged and Warnings.
 /// \return theta of each part.
 /// \throw Cancelled
-/// A part that has not converged after all iterations, if these are 100 or more, goes on with a block of vectors
-/// (FindLowestOfBlocks); the history tells the end of that as one iteration more.
+/// A part that has not converged after all iterations, if these are 100 or more, continues with FindLowestOfBlocks, recorded as
+/// one more iteration.
 /// Cost per iteration: one application of B, one product with A and about fifteen passes over a vector.
 std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
   SolveReport& report, const ExecutionContext& context);

@@ -168,12 +168,12 @@ std::vector<int> RenumberHierarchically(
   SparseMatrix<double> Bt = Adjoint(B, context);
   blocks = OrderedByColours(Bt, blocks.InOrder(byCoarse.Items), context);
   FirstOccurrences ofUnknowns(unknowns);
-  ofUnknowns.Say(blocks.Unknowns.begin(), blocks.Unknowns.end());
+  ofUnknowns.Add(blocks.Unknowns.begin(), blocks.Unknowns.end());
   const std::vector<int> order = ofUnknowns.Complete();
   FirstOccurrences ofRows(rows);
   {
     const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
-    ofRows.Say(rowsOfUnknowns.innerIndexPtr(), rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
+    ofRows.Add(rowsOfUnknowns.innerIndexPtr(), rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
   }
   std::vector<int> rowOrder = ofRows.Complete();
   SortTilesByLength(B, rowOrder, context);

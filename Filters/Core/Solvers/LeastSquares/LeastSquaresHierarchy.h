@@ -28,22 +28,21 @@ struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
   int ProlongationDegree = 7;
-  /// Entries of the prolongation below so many times the largest of their row are left out. The noise that they leave
-  /// must have less energy than the smoothest fields, whose energies, in units of the diagonal, fall as their unknowns
-  /// grow in number: of more than 300,000 unknowns, fewer are left out, by the root of the ratio.
+  /// Relative drop tolerance per row of the prolongation. Above 300,000 unknowns it is scaled by sqrt(300,000 / n), as the
+  /// smallest eigenvalues decrease with n.
   double Dropped = 0.0003;
 };
 
 /// The multigrid set-up of an energy |B x|^2, for any constraints: its blocks, a smoothed
-/// prolongation from plane vectors, and the smoothness energy of those. Built once per surface; each set of
-/// prescriptions then takes a LeastSquaresCycle on it.
+/// prolongation from plane vectors, and the smoothness energy of those. It is built once per surface. Each set of
+/// constraints then takes a LeastSquaresCycle on it.
 ///
-/// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
-/// reaches far.
+/// The fine level costs most, so the first coarse level is much smaller, and the polynomial that smooths its prolongation has a
+/// high degree.
 ///
-/// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that their blocks belong to;
-/// rows of B as unknowns come to them, and within a tile by length (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large
-/// everywhere. The caller's unknown Order[k] is x_k / Scales[k].
+/// Unknowns are sorted by the coarse unknowns of their blocks. Rows of B are sorted by their first unknown, and within a tile by
+/// length (RowRuns). Columns of B are scaled so that B^T B has about the same size everywhere and no eigenvalue above 1. The
+/// caller's unknown Order[k] is x_k / Scales[k].
 class LeastSquaresHierarchy : public StiffnessHierarchy
 {
 public:
@@ -75,8 +74,7 @@ public:
   long long Bytes() const override;
 };
 
-/// \param B m x n. \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows. Both are given back
-///   early: move them in.
+/// \param B m x n. \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows. Both are freed early: move them in.
 /// \throw InvalidInput the sizes do not chain, or a block is too large.
 /// \throw Cancelled
 /// Cost: linear in the size of B; most of it smooths the prolongation.

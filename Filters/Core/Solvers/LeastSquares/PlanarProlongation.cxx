@@ -150,7 +150,7 @@ private:
   int Count = 0;
 };
 
-/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
+/// p - factor B^T B p. Inlined it would run out of registers.
 [[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, float factor,
   SparseVector<float>& p, SparseVector<float>& Bp)
 {

@@ -22,15 +22,12 @@ using PlanarProlongation = SparseMatrix<Complex>;
 /// largest energy of what is left, max over (0, 1] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was
 /// (Chebyshev; Brezina and Vanek 1999). One coarse function after the other, in single precision.
 ///
-/// Fields of least smoothness energy need it. Their energy counts divergence and curl, not the whole
-/// derivative: on a surface that curves inwards a field may change a lot and cost next to nothing,
-/// as along a limb. In the discrete energy it does so only if it follows the triangles in the small,
-/// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
-/// energy of the whole derivative.
+/// The smoothing is needed because the energy counts divergence and curl, not the whole derivative. By the Weitzenboeck identity
+/// the Hodge energy is the Dirichlet energy plus the integral of K |X|^2. Where the Gaussian curvature K is negative it is much
+/// smaller, and linear interpolation does not reproduce such near-kernel fields.
 ///
 /// \param B so that no eigenvalue of A is above 1. \param Bt its transpose.
-/// \param dropped entries below so many times the largest of their row of P are left out after each
-///   step.
+/// \param dropped drop tolerance after each step, relative to the largest entry of a row of P.
 /// \param P comes back empty, as soon as it is not needed any more.
 /// Cost: k products of A with all coarse functions, where they are not zero.
 RowBands<Complex32> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,

@@ -10,9 +10,8 @@
 namespace dmg
 {
 
-/// A stiffness matrix R that is given by its matrix, and prolongations for the Galerkin products of R + D: all of them are
-/// computed anew for every D. It serves methods that need a matrix: Cholesky factorisation, coarse
-/// spaces of any kind, full multigrid.
+/// A stiffness matrix R, and prolongations for the Galerkin products of R + D, which are computed anew for every D. It serves
+/// methods that need a matrix: Cholesky factorisation, coarse spaces of any kind, full multigrid.
 ///
 /// Unknowns stand in the caller's order. Those of a complex matrix are pairs: 2 k and 2 k + 1 are the parts of
 /// complex unknown k, and D has the same value for both.

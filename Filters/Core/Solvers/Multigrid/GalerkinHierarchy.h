@@ -25,14 +25,12 @@ struct GalerkinOptions
 /// The matrices of a multigrid method by Galerkin's products A_{l+1} = P_l^H A_l P_l, and a
 /// factorisation of the coarsest. Level 0 is the finest.
 ///
-/// Order. The unknowns of surface meshes come in any order, and a random order makes every product
-/// slow. The levels are therefore kept in an order of their own (HierarchicalOrder).
-/// FinestOrder relates it to the caller's.
+/// Order. The caller's order may be random, which makes every product slow. The levels are therefore sorted
+/// (HierarchicalOrder); FinestOrder relates level 0 to the caller's order.
 ///
 /// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
-/// whole row is. Coarse unknowns that no fine unknown sees are of this kind, and those that carry
-/// the kernel of a piece of the surface. They are kept out of every step; corrections are zero
-/// there.
+/// whole row is. Coarse unknowns without entries in the prolongation are of this kind, and those that carry
+/// the kernel of a component. Every step leaves them out; corrections are zero there.
 ///
 /// Cost: linear in the number of multiply-adds of the products.
 template <class Scalar>

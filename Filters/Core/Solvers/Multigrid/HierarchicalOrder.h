@@ -14,8 +14,8 @@ template <class Scalar>
 void CheckChain(long long size, const std::vector<SparseMatrix<Scalar>>& prolongations);
 
 /// Sorts the unknowns of all levels: the children of a coarse unknown follow each other, in the order of
-/// their parents, down from the coarsest level. A child is of the parent that it takes most from. Where columns come in
-/// pairs (HasPairs), so do children: the second of two goes with the first.
+/// their parents, down from the coarsest level. A child's parent is the one with the largest weight. Where columns come in
+/// pairs (HasPairs), so do children.
 /// \param prolongations [l] is N_l x N_{l+1}, compressed; on exit in the new order.
 /// \param size N_0, for no prolongations at all.
 /// \return [k] is the former index of unknown k of level 0.

@@ -15,8 +15,8 @@ namespace dmg
 enum class CyclePrecision
 {
   /// Single, unless the coarsest matrix is nearly singular (reciprocal condition below 2e-5), as under
-  /// very weak constraints: rounding errors would then swamp the smoothest part of the solution. Of cycles in
-  /// a row the finest matrix counts, whose condition is estimated from the coarsest one's.
+  /// very weak constraints: rounding errors would then swamp the smoothest part of the solution. Repetitions depend on the
+  /// condition of the finest matrix, which is estimated from that of the coarsest.
   Automatic,
   Single, ///< half the memory traffic
   Double,
@@ -25,11 +25,11 @@ enum class CyclePrecision
 struct CycleOptions
 {
   SmootherOptions Smoothing;
-  /// Level 0 gets so many times the sweeps of the coarser levels; >= 1.
+  /// Sweeps on level 0 over sweeps on a coarse level, >= 1.
   int FinestFactor = 1;
-  /// V-cycles in a row, x += s B (b - A x), that count as one; >= 1. More than one where the cycle stands in
-  /// for an exact solution: steps s are Chebyshev's, for eigenvalues of B A from 1/2 to 1 (Saad, Iterative
-  /// Methods for Sparse Linear Systems, 2003, section 12.3). One has a step of 1.
+  /// V-cycles x += s B (b - A x) that count as one; >= 1. Several replace an exact solution. Their steps s are Chebyshev's, for
+  /// eigenvalues of B A from 1/2 to 1 (Saad, Iterative Methods for Sparse Linear Systems, 2003, section 12.3). A single one has
+  /// a step of 1.
   int Repetitions = 1;
   CyclePrecision Precision = CyclePrecision::Automatic;
 };
@@ -39,9 +39,8 @@ struct CycleOptions
 /// follow the coarse correction as precede it; then it preconditions conjugate gradients. As a
 /// stationary iteration, x += B (b - A x).
 ///
-/// Inside, each level is scaled to unit diagonal, which no smoother here notices in exact
-/// arithmetic and which keeps single precision away from overflow, and stands in an
-/// order for sweeps (SweepOrder).
+/// Inside, each level is scaled to unit diagonal: Gauss-Seidel is invariant, and single precision does not overflow. Unknowns are
+/// in a SweepOrder.
 /// Vectors of Apply are in the order of the hierarchy's caller.
 ///
 /// Cost of a V(2,2)-cycle with Gauss-Seidel: per level three products with the matrix and two with

@@ -14,17 +14,16 @@ namespace dmg
 /// The penalised unknowns of A = R + D, those with 0 < D_i < infinity, in a cycle for A.
 ///
 /// A penalised unknown takes a share R_ii / (R_ii + D_i) of the coarse correction, and the same share of its
-/// residual is restricted. The coarse matrix then has the penalty D_i R_ii / (R_ii + D_i) in place of D_i: what is left of
-/// R_ii and D_i where the unknown itself is eliminated. With D_i itself and the whole correction, penalties of a hundred
-/// times R_ii took up to five iterations more; usual ones take one more at most, and no time to speak of.
+/// residual is restricted. The coarse matrix then has the penalty D_i R_ii / (R_ii + D_i) in place of D_i, the Schur complement
+/// where the unknown itself is eliminated. With D_i itself and the whole correction, strong penalties cost iterations.
 template <class Scalar>
 class PenalisedUnknowns
 {
 public:
   /// None.
   PenalisedUnknowns() = default;
-  /// \param penalty (i) is D_i, \param coupling (i) is R_ii, of unknowns 0 to \param size - 1. Those with an
-  ///   infinite D_i are held and none of ours.
+  /// \param penalty (i) is D_i, \param coupling (i) is R_ii, of unknowns 0 to \param size - 1. Unknowns
+  ///   with infinite D_i are excluded.
   template <class Penalty, class Coupling>
   PenalisedUnknowns(int size, const Penalty& penalty, const Coupling& coupling, const ExecutionContext& context)
     : Indices(Choose(

@@ -9,9 +9,8 @@
 namespace dmg
 {
 
-/// The levels of a Galerkin hierarchy as smoothers want them: scaled to unit diagonal, which none of
-/// ours notices in exact arithmetic and which keeps single precision away from overflow; in the
-/// order of sweeps; in numbers of kind Value.
+/// The levels of a Galerkin hierarchy for smoothers: scaled to unit diagonal, in a SweepOrder, in numbers of type Value.
+/// Gauss-Seidel is invariant under the scaling, and single precision does not overflow.
 ///
 /// With D the diagonal of A_l, a level's unknowns are D^{1/2} x and its right-hand sides D^{-1/2} b.
 /// Inactive unknowns have empty rows and columns everywhere.

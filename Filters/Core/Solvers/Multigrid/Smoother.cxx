@@ -128,9 +128,8 @@ private:
   const TriangularParts<Value>& A;
 };
 
-/// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier unknowns are those that the
-/// next one down wants, and the other way round, so each sweep after the first costs half a product
-/// (Conrad and Wallach 1979).
+/// Symmetric Gauss-Seidel. The sums over earlier unknowns of a forward sweep are those that the next backward sweep needs, and
+/// the other way round, so each sweep after the first costs half a product (Conrad and Wallach 1979).
 /// \tparam Sweeps ColourSweeps or TileSweeps.
 template <class Value, class Diagonal, class Sweeps>
 class GaussSeidelSmoother : public Smoother<Value>

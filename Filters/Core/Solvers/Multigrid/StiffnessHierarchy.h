@@ -15,9 +15,8 @@
 #include <utility>
 #include <vector>
 
-/// Most harmonic fields minimise a smoothness energy x^T R x, which knows the surface alone, and a sum of squares of
-/// prescribed unknowns, a diagonal D. Cycles for A = R + D keep the two apart: what they know of R is part
-/// of the set-up, and another D changes little.
+/// A field minimises x^T R x plus penalties, a diagonal D. R depends on the surface only. Cycles for A = R + D keep the two
+/// apart: their parts of R belong to the set-up, and another D changes little.
 ///
 /// Unknowns are real here; complex numbers are pairs of them.
 namespace dmg
@@ -53,8 +52,8 @@ struct StiffnessCycleOptions
 class StiffnessCycle : public Preconditioner<double>
 {
 public:
-  /// Takes another D. No pattern changes: what D touches on the finest level, the coarse matrices and the
-  /// factor of the coarsest are computed anew. After an error the cycle must not be used.
+  /// Takes another D. Patterns stay. Coarse matrices, their factor and the penalised part of the finest level are computed
+  /// anew. After an error the cycle must not be used.
   virtual void Update(const Vector<double>& D, const ExecutionContext& context) = 0;
 
   /// Unknowns and non-zeros, finest first.
@@ -107,7 +106,7 @@ public:
 
   /// The caller's index of each unknown.
   std::vector<int> Order;
-  /// A number for each unknown, which it shares with all that it is connected with; empty if all are.
+  /// The connected component of each unknown; empty if there is one.
   std::vector<int> Components;
   int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
   /// \param components of each unknown.
