@@ -88,7 +88,8 @@ FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintArr
 {
   CheckProperties(filter);
   FieldProperties properties{ ProblemOf(filter), { Numbering::Spatial, filter->GetJoinPoints(), filter->GetStrict() },
-    ChoicesOf(filter), filter->GetFollowDirections(), guideChoices, filter->GetSingularityIndexArray() };
+    ChoicesOf(filter), filter->GetFollowDirections(), guideChoices, filter->GetSingularityIndexArray(),
+    filter->GetAllDirections() };
   properties.Choices.Axis = Vector3(filter->GetAxis());
   properties.Choices.WeighsTensors = filter->GetTensorWeights();
   return properties;

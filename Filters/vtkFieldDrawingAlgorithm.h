@@ -39,8 +39,8 @@ public:
 
   ///@{
   /**
-   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are arrays
-   * Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names tell, and 1 for
+   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as the solver had, or as there are
+   * arrays Direction0, Direction1, ..., if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names tell, and 1 for
    * any other array. Range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);

@@ -38,7 +38,6 @@ public:
   struct Leaf
   {
     dmg::SolverOfSurface Solver;
-    dmg::FieldOutput Output;
     long long Bytes = 0; ///< of the solver
   };
 
@@ -78,7 +77,6 @@ public:
   std::string Followed;
 #ifdef DMG_PETSC
   dmg::SolverOfPieces Pieces;
-  dmg::FieldOutput OutputOfPieces;
 #endif
 
 private:
@@ -310,8 +308,8 @@ int vtkHarmonicFieldSolver::RequestData(
       vtkWarningMacro(<< dmg::InPanelWords(text));
     }
     this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
-    leaf.Output.Write(kept, field, inputs, preparation, this->Internals->Followed, outputVector,
-      dmg::PartOfContext(context, 0.95, 1.0));
+    dmg::WriteField(
+      kept, field, inputs, properties, this->Internals->Followed, outputVector, dmg::PartOfContext(context, 0.95, 1.0));
   };
   const auto makeInPieces = [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces,
                               const dmg::ExecutionContext& context) -> std::string
@@ -328,8 +326,8 @@ int vtkHarmonicFieldSolver::RequestData(
       ranks.Together(
         [&]
         {
-          this->Internals->OutputOfPieces.Write(kept, *field.Solution, field.Inputs, properties.Preparation,
-            field.Followed, outputVector, dmg::PartOfContext(context, 0.95, 1.0));
+          dmg::WriteField(kept, *field.Solution, field.Inputs, properties, field.Followed, outputVector,
+            dmg::PartOfContext(context, 0.95, 1.0));
         });
     }
     return field.ReasonToGather;
@@ -381,6 +379,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
+  os << indent << "AllDirections: " << (this->AllDirections ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
   os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";

@@ -58,7 +58,8 @@
  *
  * | array                     | of            | components | meaning                                                   |
  * | ------------------------- | ------------- | ---------- | --------------------------------------------------------- |
- * | Direction0, 1, ... N - 1  | cells, points | 3          | the directions, counter-clockwise; active vectors         |
+ * | Direction0                | cells, points | 3          | first direction; active vectors                           |
+ * | Direction1, ... N - 1     | cells, points | 3          | others, with AllDirections                                |
  * | PowerField                | cells, points | 2          | the N-th power, a complex number (power fields only)      |
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
@@ -319,6 +320,17 @@ public:
 
   ///@{
   /**
+   * Whether all N directions come as arrays, Direction0 to Direction(N - 1), rather than Direction0 alone. The others follow from it:
+   * Direction k is Direction0, rotated counter-clockwise around the normal by 360 k / N degrees. The filters and writers of this
+   * module know that, by the field data NumberOfDirections. Default off.
+   */
+  vtkSetMacro(AllDirections, bool);
+  vtkGetMacro(AllDirections, bool);
+  vtkBooleanMacro(AllDirections, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether Direction0 is chosen to continue from face to face wherever possible (combing), or is
    * the principal root in each frame. On, Direction0 jumps only along cuts, which streamlines and
    * line integral convolution need; off saves a little time. While guides move, Direction0 of a cell goes on as
@@ -544,6 +556,7 @@ private:
   double Tolerance;
   int MaximumNumberOfIterations;
   bool UnitLength;
+  bool AllDirections = false;
   bool Combing;
   bool HarmonicBasis;
 

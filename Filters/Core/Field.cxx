@@ -12,7 +12,7 @@ namespace
 Points DirectionsInSpace(
   const TangentFrames& frames, const Vector<Complex>& first, int N, bool hasUnitLength, int direction)
 {
-  const DirectionVectors vectors(N, hasUnitLength);
+  const DirectionVectors vectors(N, hasUnitLength, direction + 1);
   Points inSpace(first.size(), 3);
   for (int element = 0; element < first.size(); ++element)
   {

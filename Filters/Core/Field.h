@@ -30,7 +30,6 @@ struct Field
   Vector<double> Rotation;
   bool IsCombed = false;     ///< see FieldProblem::Combing
   bool HasUnitLength = true; ///< see FieldProblem::UnitLength; of Directions alone
-  long long Number = 0;      ///< another one whenever the directions have changed
 
   SolveReport Report;
   GuidesReport Guides;

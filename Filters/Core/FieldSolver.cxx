@@ -315,7 +315,6 @@ void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution>
   {
     Field field = DirectionsOfField(this->Surface, *solution->Discretisation, solution->Unknowns, problem.Combing,
       this->Last.Solution ? &this->Last : nullptr, context);
-    field.Number = this->Last.Number + 1;
     field.Report = solution->Report;
     if (solution->Connection)
     {

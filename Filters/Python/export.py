@@ -37,11 +37,11 @@ def write_rosy(path: Path, mesh: vtkPolyData) -> None:
 def write_raw_field(path: Path, mesh: vtkPolyData) -> None:
     """Writes a field of N directions as Directional's raw field (.rawfield), which its read_raw_field() reads.
 
-    The file has N and the number of faces, then a line per face with the N vectors, counter-clockwise, as long as the arrays
-    Direction0, Direction1, ... have them.
+    The file has N and the number of faces, then a line per face with the N vectors, counter-clockwise, as long as Direction0 has
+    them. They are the arrays Direction1, ... where these are there, else Direction0, rotated around the normal of the face.
     """
     n = _number_of_directions(mesh)
-    rows = zip(*(_vectors(mesh, f"Direction{k}") for k in range(n)))
+    rows = zip(*(_direction(mesh, k, n) for k in range(n)))
     lines = [_line(component for vector in vectors for component in vector) for vectors in rows]
     _write(path, [f"{n} {len(lines)}", *lines])
 
@@ -72,22 +72,49 @@ def write_sharp(path: Path, mesh: vtkPolyData, feature_angle: float = 30.0) -> N
 
 
 def _number_of_directions(mesh: vtkPolyData) -> int:
-    n = 0
+    if not mesh.GetCellData().HasArray("Direction0"):
+        raise FieldError("the mesh has no cell array Direction0; compute a field first, as by smooth_field()")
+    reported = mesh.GetFieldData().GetArray("NumberOfDirections")
+    if reported is not None:
+        return int(reported.GetTuple1(0))
+    n = 1
     while mesh.GetCellData().HasArray(f"Direction{n}"):
         n += 1
-    if n == 0:
-        raise FieldError("the mesh has no cell array Direction0; compute a field first, as by smooth_field()")
     return n
+
+
+def _direction(mesh: vtkPolyData, k: int, n: int) -> Iterator[Vector]:
+    """Direction k of each face."""
+    name = f"Direction{k}"
+    return _vectors(mesh, name) if mesh.GetCellData().HasArray(name) else _rotated(mesh, 2 * math.pi * k / n)
+
+
+def _rotated(mesh: vtkPolyData, angle: float) -> Iterator[Vector]:
+    """Direction0 of each face, rotated around the normal of the face."""
+    for face, (polygon, vector) in enumerate(zip(_polygons(mesh), _vectors(mesh, "Direction0"))):
+        area = [sum(parts) for parts in zip(*(_normal(mesh, (polygon[0], *side)) for side in zip(polygon[1:], polygon[2:])))]
+        twice = math.hypot(*area)
+        if any(vector) and twice == 0.0:
+            raise FieldError(f"face {face} has no area, so its directions do not follow from Direction0; compute the field with "
+                             "AllDirections")
+        across = _cross([component / (twice or 1.0) for component in area], vector)
+        yield tuple(math.cos(angle) * x + math.sin(angle) * y for x, y in zip(vector, across))
 
 
 def _triangles(mesh: vtkPolyData) -> Iterator[Vector]:
     """The points of each polygon, all of which are triangles."""
+    for face, polygon in enumerate(_polygons(mesh)):
+        if len(polygon) != 3:
+            raise FieldError(f"face {face} is not a triangle; apply vtkTriangleFilter first")
+        yield polygon
+
+
+def _polygons(mesh: vtkPolyData) -> Iterator[Vector]:
+    """The points of each polygon."""
     polygons, points = mesh.GetPolys(), vtkIdList()
     for face in range(polygons.GetNumberOfCells()):
         polygons.GetCellAtId(face, points)
-        if points.GetNumberOfIds() != 3:
-            raise FieldError(f"face {face} is not a triangle; apply vtkTriangleFilter first")
-        yield tuple(points.GetId(j) for j in range(3))
+        yield tuple(points.GetId(j) for j in range(points.GetNumberOfIds()))
 
 
 def _vectors(mesh: vtkPolyData, name: str) -> Iterator[Vector]:

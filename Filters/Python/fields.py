@@ -48,9 +48,9 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
                    Discretisation="OneForm". Mask, Directions, Weights, Values, Source and RotationArray are the names of arrays of
                    the mesh, at points, else on cells; unlike the filter, the function follows no array that is not named.
 
-    Returns a mesh of the same class, which has the arrays of the input and those of the solver: Direction0, Direction1, ... on
-    cells and at points, SingularityIndex on cells (at points for other discretisations and with singularities), and more (see
-    vtkHarmonicFieldSolver, output port 0).
+    Returns a mesh of the same class, which has the arrays of the input and those of the solver: Direction0 on cells and at points
+    (AllDirections=True adds Direction1, ...), SingularityIndex on cells (at points for other discretisations and with
+    singularities), and more (see vtkHarmonicFieldSolver, output port 0).
 
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what
     the filter refuses; warns with FieldWarning.

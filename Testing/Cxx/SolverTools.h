@@ -26,7 +26,7 @@ using Solver = vtkHarmonicFieldSolver;
 inline constexpr int OnPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 inline constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
-/// Follows the array Given of cells.
+/// Follows the array Given of cells, and gives all directions.
 inline vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation = Solver::PointPowerField)
 {
   auto solver = vtkSmartPointer<Solver>::New();
@@ -34,6 +34,7 @@ inline vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation 
   solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
   solver->SetDiscretisation(discretisation);
   solver->SetTolerance(1e-8);
+  solver->AllDirectionsOn();
   return solver;
 }
 

@@ -27,6 +27,7 @@ vtkSmartPointer<vtkHarmonicFieldSolver> NewSolver(vtkPolyData* input, int N)
   auto solver = vtkSmartPointer<vtkHarmonicFieldSolver>::New();
   solver->SetInputData(input);
   solver->SetNumberOfDirections(N);
+  solver->AllDirectionsOn();
   solver->SetTolerance(1e-12);
   return solver;
 }

@@ -238,6 +238,24 @@ TEST(HarmonicFieldSolver, HardConstraintsHold)
   }
 }
 
+TEST(HarmonicFieldSolver, Direction0IsTheSameWhetherTheOthersComeOrNot)
+{
+  const auto solver = NewSolver(Sphere());
+  solver->AllDirectionsOff();
+  solver->Update();
+  const auto cells = Values(solver->GetOutput()->GetCellData(), "Direction0");
+  const auto points = Values(solver->GetOutput()->GetPointData(), "Direction0");
+  EXPECT_FALSE(solver->GetOutput()->GetCellData()->HasArray("Direction1"));
+  EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("Direction1"));
+  solver->AllDirectionsOn();
+  solver->Update();
+  EXPECT_EQ(solver->GetNumberOfSolves(), 1);
+  EXPECT_TRUE(solver->GetOutput()->GetCellData()->HasArray("Direction3"));
+  EXPECT_TRUE(solver->GetOutput()->GetPointData()->HasArray("Direction3"));
+  EXPECT_EQ(Values(solver->GetOutput()->GetCellData(), "Direction0"), cells);
+  EXPECT_EQ(Values(solver->GetOutput()->GetPointData(), "Direction0"), points);
+}
+
 TEST(HarmonicFieldSolver, DirectionsAreUnitVectorsIfAsked)
 {
   const auto solver = NewSolver(Sphere());

@@ -211,6 +211,7 @@ TEST_F(Singularities, TurnToTheGuides)
   AddPointVectors(guide, "Wind", { { 0, direction } });
   this->Solver->SetGuideArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
   this->Solver->SetInputData(1, guide);
+  this->Solver->AllDirectionsOn();
   EXPECT_EQ(this->Found().size(), 8u);
   const auto prescribed = Values(this->Solver->GetOutput()->GetCellData(), "Prescribed");
   int number = 0;

@@ -238,6 +238,7 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   solver->SetUnitLength(choose.OneIn(2));
   solver->SetCombing(choose.OneIn(2));
   solver->SetHarmonicBasis(choose.OneIn(4));
+  solver->SetAllDirections(solver->GetUnitLength()); // seeds of the corpus go on as before
   if (choose.OneIn(4))
   {
     solver->SetAlignment(choose.Number());

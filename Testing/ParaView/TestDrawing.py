@@ -21,7 +21,7 @@ def crosses():
     sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
     given = simple.Calculator(Input=sphere, ResultArrayName="Given",
                               Function="if(coordsX > 0.9, jHat, 0*jHat)")
-    return simple.HarmonicFieldSolver(Input=given, Directions=["POINTS", "Given"])
+    return simple.HarmonicFieldSolver(Input=given, Directions=["POINTS", "Given"], AllDirections=1)
 
 
 def fetch(source, port=0):

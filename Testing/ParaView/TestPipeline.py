@@ -24,7 +24,7 @@ def solve():
     return [simple.HarmonicFieldSolver(
         Input=prolongation, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
         Discretisation=discretisation, NumberOfDirections=4, Solver="Conjugate Gradients",
-        HarmonicBasis=1)
+        HarmonicBasis=1, AllDirections=1)
             for discretisation in ("Power Field at Points", "Face Field", "1-Form")]
 
 

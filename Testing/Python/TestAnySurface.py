@@ -46,6 +46,7 @@ def solved_beside(guide, data):
     solver.SetInputDataObject(0, data)
     solver.AddGuidesConnection(guide.GetOutputPort())
     solver.SetMaximumDistance(1.0)
+    solver.AllDirectionsOn()
     return result_of(solver)
 
 

@@ -90,12 +90,22 @@ class Export(unittest.TestCase):
 
     def test_raw_field_has_all_directions_to_the_last_bit(self):
         for n in (1, 2, 3, 6):
-            mesh = smooth_field(torus(12, 8), n=n, UnitLength=False)
+            mesh = smooth_field(torus(12, 8), n=n, UnitLength=False, AllDirections=True)
             write_raw_field(self.path, mesh)
             header, *rows = numbers(self.path)
             self.assertEqual(header, [n, 192])
             given = np.stack([values(mesh.GetCellData(), f"Direction{k}") for k in range(n)], axis=1)
             np.testing.assert_array_equal(np.array(rows).reshape(-1, n, 3), given)
+
+    def test_raw_field_has_directions_that_the_mesh_has_not(self):
+        """Those that the solver does not write, since they follow from the first."""
+        for n in (1, 2, 3, 6):
+            write_raw_field(self.path, smooth_field(torus(12, 8), n=n, AllDirections=True))
+            all_of_them = np.array(numbers(self.path)[1:])
+            write_raw_field(self.path, smooth_field(torus(12, 8), n=n))
+            header, *rows = numbers(self.path)
+            self.assertEqual(header, [n, 192])
+            np.testing.assert_allclose(np.array(rows), all_of_them, atol=1e-12)
 
     def test_raw_field_goes_counter_clockwise(self):
         """From one direction to the next it is a turn by 2 pi / 5 about the normal, here z."""

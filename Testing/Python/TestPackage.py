@@ -18,8 +18,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import directionalmultigrid
 from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
-from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldSingularities, vtkHarmonicFieldSolver
-from surfaces import prescribe, surface, torus, values
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver
+from surfaces import prescribe, surface, torus, values, values_of_points
 
 
 class Derived(vtkPolyData):
@@ -134,11 +134,28 @@ class SmoothField(unittest.TestCase):
                 self.assertFalse(result.GetCellData().HasArray("Direction1"))
             with self.assertRaisesRegex(FieldError, "n = 4, but only power fields"):
                 smooth_field(mesh, n=4, Discretisation=kind)
-        self.assertTrue(smooth_field(mesh).GetCellData().HasArray("Direction3"))
+        self.assertTrue(smooth_field(mesh, AllDirections=True).GetCellData().HasArray("Direction3"))
+
+    def test_drawings_need_the_first_direction_alone(self):
+        """The number of directions comes from the report of the solver."""
+        for n in (2, 3, 4):
+            drawn = []
+            for all_directions in (False, True):
+                field = smooth_field(torus(20, 10), n=n, AllDirections=all_directions)
+                self.assertEqual(field.GetCellData().HasArray("Direction1"), all_directions)
+                lines, singularities = vtkFieldLines(), vtkFieldSingularities()
+                for each in (lines, singularities):
+                    each.SetInputData(field)
+                    update(each)
+                drawn.append((values_of_points(lines.GetOutput()).tolist(),
+                              values(lines.GetOutput().GetCellData(), "Branch").tolist(),
+                              values(singularities.GetOutput().GetPointData(), "Index").tolist()))
+            self.assertEqual(drawn[0], drawn[1])
 
     def test_takes_numbers_of_numpy(self):
         mesh = torus(20, 10)
-        result = smooth_field(mesh, n=np.int64(2), Tolerance=np.float32(1e-3), UnitLength=np.bool_(True), Rotation=3)
+        result = smooth_field(mesh, n=np.int64(2), Tolerance=np.float32(1e-3), UnitLength=np.bool_(True), AllDirections=True,
+                              Rotation=3)
         self.assertFalse(result.GetCellData().HasArray("Direction2"))
 
     def test_follows_no_array_that_is_not_named(self):
@@ -204,7 +221,7 @@ class SmoothField(unittest.TestCase):
         with self.assertWarnsRegex(FieldWarning, "no boundary") as caught:
             result = smooth_field(torus(20, 10), BoundaryWeight=1)
         self.assertEqual(os.path.basename(caught.filename), os.path.basename(__file__))
-        self.assertTrue(result.GetCellData().HasArray("Direction3"))
+        self.assertTrue(result.GetCellData().HasArray("Direction0"))
 
     def test_nothing_goes_to_standard_error(self):
         _, messages = run("from TestPackage import *\n"
@@ -304,8 +321,8 @@ class Accessor(unittest.TestCase):
         mesh.ShallowCopy(torus(20, 10))
         result = mesh.directional.cross_field(ConstraintType="Hard")
         self.assertIs(type(result), self.pyvista.PolyData)
-        self.assertTrue(result.GetCellData().HasArray("Direction3"))
-        self.assertFalse(mesh.directional.smooth_field(n=2).GetCellData().HasArray("Direction2"))
+        self.assertEqual(result.GetFieldData().GetArray("NumberOfDirections").GetValue(0), 4)
+        self.assertEqual(mesh.directional.smooth_field(n=2).GetFieldData().GetArray("NumberOfDirections").GetValue(0), 2)
         with self.assertRaises(TypeError):
             mesh.directional.cross_field(n=3)
         flow = result.directional.hodge("Direction0", Boundary="Open")

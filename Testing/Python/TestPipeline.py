@@ -70,6 +70,7 @@ class Pipeline(unittest.TestCase):
 
     def test_directions_are_roots_of_one_power(self):
         """N unit vectors per element that add up to nothing for N > 1, in the tangent plane."""
+        self.solver.AllDirectionsOn()
         for N in range(1, 9):
             with self.subTest(N=N):
                 self.solver.SetNumberOfDirections(N)
@@ -84,6 +85,7 @@ class Pipeline(unittest.TestCase):
 
     def test_magnitudes_are_those_of_the_powers(self):
         self.solver.UnitLengthOff()
+        self.solver.AllDirectionsOn()
         self.solver.Update()
         for array in (self.cells, self.points):
             power = np.linalg.norm(array("PowerField"), axis=1)

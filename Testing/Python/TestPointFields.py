@@ -126,7 +126,7 @@ class PointFields(unittest.TestCase):
         line.SetLines(vtkCellArray())
         line.GetLines().InsertNextCell(50, range(50))
         for kind in ("Soft", "Hard"):
-            field = smooth_field(update(sphere), [line], 4, ConstraintType=kind)
+            field = smooth_field(update(sphere), [line], 4, ConstraintType=kind, AllDirections=True)
             held = values(field.GetPointData(), "Prescribed") > 0
             self.assertGreater(held.sum(), 60)
             held_cells = held[corners(field)].all(axis=1)

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
@@ -136,9 +137,16 @@ int NumberOfDirections(vtkDataSet* surface, const ChosenArray& chosen)
   {
     return 1;
   }
+  constexpr int Largest = DirectionsOnFaces::LargestN;
+  vtkDataArray* const reported = surface->GetFieldData()->GetArray(ArrayNames::NumberOfDirections);
+  if (reported && reported->GetNumberOfValues() == 1 && reported->GetTuple1(0) >= 1 &&
+    reported->GetTuple1(0) <= Largest)
+  {
+    return static_cast<int>(reported->GetTuple1(0));
+  }
   vtkDataSetAttributes* const attributes = surface->GetAttributes(chosen.Association);
   int number = 1;
-  while (number < DirectionsOnFaces::LargestN && attributes->GetArray(ArrayNames::Direction(number).c_str()))
+  while (number < Largest && attributes->GetArray(ArrayNames::Direction(number).c_str()))
   {
     ++number;
   }

@@ -14,7 +14,8 @@ namespace dmg
 /// vectors. InvalidInput: it has not a tuple for every element.
 ChosenArray ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface);
 
-/// The number of directions that an array stands for, by its name.
+/// The number of directions that an array stands for. Of Direction0 it is what the solver has left in the field data, else the number
+/// of arrays Direction0, Direction1, ... It is 2 of principal directions and tensors, and 1 of any other array.
 int NumberOfDirections(vtkDataSet* surface, const ChosenArray& chosen);
 
 /// Whether an array shows a power field at points, whose singularities stand on cells.

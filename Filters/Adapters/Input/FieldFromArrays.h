@@ -42,8 +42,7 @@ struct SurfaceWithField
 /// cells and points have an array Direction0, both names mean that of the cells. Where cells have an array
 /// SingularityIndex, the field is one at points, and is read there as well.
 ///
-/// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
-/// principal directions and tensors, and 1 for any other array.
+/// \param N of the field; 0: that of NumberOfDirections.
 /// Vectors that are not finite, as where nothing was measured, are no directions; one warning counts them.
 /// \throw WrongChoice as ChooseVectors; vectors of 2 numbers on a surface that is not in a plane of constant z; no direction on
 /// any triangle.

@@ -23,6 +23,7 @@ struct FieldProperties
   bool FollowsDirections = true; ///< false: as if no arrays were chosen for directions of the surface
   ConstraintArrays GuideChoices;
   std::string SingularityIndexArray;
+  bool AllDirections = false; ///< whether the output has all N directions
 };
 
 /// The inputs of the filter.

@@ -3,57 +3,16 @@
 #include "Adapters/Surface/ElementArrays.h"
 
 #include "vtkCellData.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 
 #include <string>
 
 namespace dmg
 {
 
-BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceRelation& surface,
-  const Discretisation& discretisation, const Eigen::MatrixXd& basis, vtkDataSet* input,
-  const ExecutionContext& context)
+namespace
 {
-  const auto fields = static_cast<int>(basis.cols());
-  BasisArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New() };
-  const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
-  for (int k = 0; k < fields; ++k)
-  {
-    context.Checkpoint(static_cast<double>(k) / fields);
-    const Vector<double> field = basis.col(k);
-    const std::string name = ArrayNames::HarmonicBasis(k + 1);
-    cells.Add(name, 3, discretisation.VectorsOnFaces(field, context).data());
-    if (discretisation.Elements() == ElementKind::Edges)
-    {
-      AddOnEdges(framed.Mesh, surface, name, field, arrays.Edges, context);
-    }
-  }
-  context.Checkpoint(1.0);
-  return arrays;
-}
 
-void AddBasisArrays(const BasisArrays& arrays, vtkDataSet* surface, vtkPolyData* edges)
-{
-  const auto add = [](vtkFieldData* from, vtkFieldData* to)
-  {
-    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-    {
-      to->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(from->GetAbstractArray(i))));
-    }
-  };
-  add(arrays.Cells, surface->GetCellData());
-  add(arrays.Edges, edges->GetCellData());
-}
-
-void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
-{
-  vtkNew<vtkIntArray> size;
-  size->SetName(ArrayNames::HarmonicBasisSize);
-  size->InsertNextValue(arrays.Cells->GetNumberOfArrays());
-  AddHidden(fieldData, size);
-}
-
+/// Takes away a basis of any size.
 void RemoveBasis(vtkDataSet* surface)
 {
   vtkCellData* const cells = surface->GetCellData();
@@ -68,7 +27,33 @@ void RemoveBasis(vtkDataSet* surface)
       cells->RemoveArray(i);
     }
   }
-  surface->GetFieldData()->RemoveArray(ArrayNames::HarmonicBasisSize);
+}
+
+}
+
+void AddBasis(
+  const FramedSurface& on, const Field& field, vtkDataSet* surface, vtkPolyData* edges, const ExecutionContext& context)
+{
+  RemoveBasis(surface);
+  if (!field.HarmonicBasis)
+  {
+    return;
+  }
+  const Discretisation& discretisation = *field.Solution->Discretisation;
+  const auto fields = static_cast<int>(field.HarmonicBasis->cols());
+  const ArraysOfCells cells(on.Geometry.Mesh, on.Relation, surface, surface->GetCellData(), context);
+  for (int k = 0; k < fields; ++k)
+  {
+    context.Checkpoint(static_cast<double>(k) / fields);
+    const Vector<double> harmonic = field.HarmonicBasis->col(k);
+    const std::string name = ArrayNames::HarmonicBasis(k + 1);
+    cells.Add(name, 3, discretisation.VectorsOnFaces(harmonic, context).data());
+    if (discretisation.Elements() == ElementKind::Edges)
+    {
+      AddOnEdges(on.Geometry.Mesh, on.Relation, name, harmonic, edges->GetCellData(), context);
+    }
+  }
+  context.Checkpoint(1.0);
 }
 
 }

@@ -1,6 +1,5 @@
 #include "Adapters/Output/FieldToArrays.h"
 
-#include "Adapters/Output/BasisToArrays.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Discretisations/MakeDiscretisation.h"
@@ -14,7 +13,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace dmg
 {
@@ -24,12 +22,11 @@ namespace
 
 constexpr int LargestN = 8;
 
-/// The edges as lines, without points, with the angle by which the field turns across each.
-vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceRelation& surface,
-  const Vector<double>& rotations, const ExecutionContext& context)
+/// Makes lines of the edges.
+void MakeLines(const FramedSurface& on, vtkDataSet* surface, vtkPolyData* edges, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
-  const vtkIdType numberOfEdges = static_cast<vtkIdType>(surface.Edges().size());
+  const vtkIdType numberOfEdges = static_cast<vtkIdType>(on.Relation.Edges().size());
   vtkNew<vtkIdTypeArray> ends;
   ends->SetNumberOfValues(2 * numberOfEdges);
   vtkIdType* const points = ends->GetPointer(0);
@@ -38,22 +35,19 @@ vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceRe
     {
       for (vtkIdType line = first; line < last; ++line)
       {
-        const auto [a, b] = mesh.EdgeVertices(surface.Edges()[line]);
-        const auto [smaller, larger] = std::minmax<vtkIdType>({ surface.PointOf(a), surface.PointOf(b) });
+        const auto [a, b] = on.Geometry.Mesh.EdgeVertices(on.Relation.Edges()[line]);
+        const auto [smaller, larger] = std::minmax<vtkIdType>({ on.Relation.PointOf(a), on.Relation.PointOf(b) });
         points[2 * line] = smaller;
         points[2 * line + 1] = larger;
       }
     });
   vtkNew<vtkCellArray> lines;
   lines->SetData(2, ends);
-  auto edges = vtkSmartPointer<vtkPolyData>::New();
   edges->SetLines(lines);
-  AddOnEdges(mesh, surface, ArrayNames::Rotation, rotations, edges->GetCellData(), context);
-  edges->GetCellData()->SetActiveScalars(ArrayNames::Rotation);
-  return edges;
+  edges->SetPoints(PointsOf(surface));
 }
 
-void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
+void RemoveField(vtkDataSetAttributes* attributes)
 {
   for (int k = 0; k < LargestN; ++k)
   {
@@ -65,61 +59,51 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
   }
   attributes->RemoveArray(ArrayNames::Prescribed);
   attributes->RemoveArray(ArrayNames::SingularityIndex);
-  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-  {
-    attributes->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(arrays->GetAbstractArray(i))));
-  }
-  attributes->SetActiveVectors(ArrayNames::Direction(0).c_str());
 }
 
 }
 
-FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkDataSet* input,
+void AddField(const FramedSurface& on, const Field& field, bool allDirections, vtkDataSet* surface, vtkPolyData* edges,
   const ExecutionContext& context)
 {
-  FieldArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
-    MakeEdges(framed.Mesh, surface, field.Rotation, context) };
-  const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
-  const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
+  RemoveField(surface->GetCellData());
+  RemoveField(surface->GetPointData());
+  const TriangleMesh& mesh = on.Geometry.Mesh;
+  MakeLines(on, surface, edges, context);
+  AddOnEdges(mesh, on.Relation, ArrayNames::Rotation, field.Rotation, edges->GetCellData(), context);
+  edges->GetCellData()->SetActiveScalars(ArrayNames::Rotation);
+  const ArraysOfCells cells(mesh, on.Relation, surface, surface->GetCellData(), context);
+  const ArraysOfPoints points(on.Relation, surface, surface->GetPointData(), context);
   field.AreSingularitiesOnFaces ? cells.AddSums(ArrayNames::SingularityIndex, field.Indices.data())
                                 : points.AddSums(ArrayNames::SingularityIndex, field.Indices.data());
   // First, so that copies of the numbers are gone before most memory is needed.
-  for (const ElementValues& values : discretisation.Values(unknowns, field.Powers))
+  for (const ElementValues& values : field.Solution->Discretisation->Values(field.Solution->Unknowns, field.Powers))
   {
     switch (values.On)
     {
       case ElementKind::Faces:
         values.Components == 2
-          ? cells.AddPowers(values.Name, framed.Faces, values.Values.data(), field.OnFaces, field.N)
+          ? cells.AddPowers(values.Name, on.Geometry.Faces, values.Values.data(), field.OnFaces, field.N)
           : cells.Add(values.Name, values.Components, values.Values.data());
         break;
       case ElementKind::Vertices:
         points.Add(values.Name, values.Components, values.Values.data());
         break;
       case ElementKind::Edges:
-        AddOnEdges(framed.Mesh, surface, values.Name, values.Values, arrays.Edges->GetCellData(), context);
+        AddOnEdges(mesh, on.Relation, values.Name, values.Values, edges->GetCellData(), context);
         break;
     }
   }
-  cells.AddDirections(framed.Faces, field.OnFaces, field.N, field.HasUnitLength);
+  const DirectionVectors vectors(field.N, field.HasUnitLength, allDirections ? field.N : 1);
+  cells.AddDirections(on.Geometry.Faces, field.OnFaces, vectors);
   context.Checkpoint(0.5);
-  points.AddDirections(framed.Vertices, field.AtVertices, field.N, field.HasUnitLength);
-  context.Checkpoint(1.0);
-  return arrays;
-}
-
-void AddFieldArrays(const FieldArrays& arrays, vtkDataSet* surface, vtkPolyData* edges)
-{
-  AddAll(arrays.Cells, surface->GetCellData());
-  AddAll(arrays.Points, surface->GetPointData());
-  RemoveBasis(surface);
-  edges->ShallowCopy(arrays.Edges);
-  for (int i = 0; i < arrays.Edges->GetCellData()->GetNumberOfArrays(); ++i)
+  points.AddDirections(on.Geometry.Vertices, field.AtVertices, vectors);
+  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetCellData()),
+         static_cast<vtkDataSetAttributes*>(surface->GetPointData()) })
   {
-    edges->GetCellData()->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(arrays.Edges->GetCellData()->GetArray(i))));
+    attributes->SetActiveVectors(ArrayNames::Direction(0).c_str());
   }
-  edges->SetPoints(PointsOf(surface));
+  context.Checkpoint(1.0);
 }
 
 void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& constraints, ElementKind elements,

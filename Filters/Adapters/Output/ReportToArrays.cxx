@@ -88,8 +88,9 @@ void AddFollowed(const std::string& text, vtkFieldData* fieldData)
   AddValue<vtkStringArray>(fieldData, ArrayNames::Followed, text);
 }
 
-void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData)
+void AddReport(const Field& field, double setupSeconds, vtkFieldData* fieldData)
 {
+  const SolveReport& report = field.Report;
   const vtkIdType levels = static_cast<vtkIdType>(report.Levels.size());
   const auto unknowns = NewArray(ArrayNames::LevelUnknowns, 1, levels);
   const auto nonZeros = NewArray(ArrayNames::LevelNonZeros, 1, levels);
@@ -98,7 +99,7 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
     unknowns->SetValue(level, static_cast<double>(report.Levels[level].Unknowns));
     nonZeros->SetValue(level, static_cast<double>(report.Levels[level].NonZeros));
   }
-  AddValue<vtkIntArray>(fieldData, ArrayNames::NumberOfDirections, N);
+  AddValue<vtkIntArray>(fieldData, ArrayNames::NumberOfDirections, field.N);
   AddValue<vtkStringArray>(fieldData, ArrayNames::Solver, report.Solver);
   AddValue<vtkIntArray>(fieldData, ArrayNames::Converged, report.Converged ? 1 : 0);
   AddHidden(fieldData, unknowns);
@@ -108,6 +109,10 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::PrepareSeconds, report.PrepareSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolveSeconds, report.SolveSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
+  if (field.HarmonicBasis)
+  {
+    AddValue<vtkIntArray>(fieldData, ArrayNames::HarmonicBasisSize, static_cast<int>(field.HarmonicBasis->cols()));
+  }
   if (!report.Eigenvalues.empty())
   {
     const auto eigenvalues = NewArray(ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));

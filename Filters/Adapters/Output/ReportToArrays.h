@@ -1,7 +1,7 @@
 #ifndef dmgReportToArrays_h
 #define dmgReportToArrays_h
 
-#include "Solvers/Krylov/SolveReport.h"
+#include "Field.h"
 
 #include <string>
 
@@ -21,7 +21,7 @@ void RemoveReport(vtkFieldData* fieldData);
 void AddFollowed(const std::string& text, vtkFieldData* fieldData);
 
 /// Adds sizes, cost and convergence to \p fieldData.
-void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData);
+void AddReport(const Field& field, double setupSeconds, vtkFieldData* fieldData);
 
 }
 

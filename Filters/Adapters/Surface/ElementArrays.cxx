@@ -28,13 +28,6 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   return array;
 }
 
-vtkSmartPointer<vtkDoubleArray> CopyOf(vtkDoubleArray* array)
-{
-  auto copy = NewArray(array->GetName(), array->GetNumberOfComponents(), array->GetNumberOfTuples());
-  std::copy_n(array->GetPointer(0), array->GetNumberOfValues(), copy->GetPointer(0));
-  return copy;
-}
-
 void ArraysOfCells::Add(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);
@@ -93,7 +86,7 @@ void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) 
 void ArraysOfCells::AddDirection(
   const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const
 {
-  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, true));
+  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, true, 1));
 }
 
 void ArraysOfCells::AddPowers(
@@ -118,9 +111,9 @@ void ArraysOfCells::AddPowers(
 }
 
 void ArraysOfCells::AddDirections(
-  const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
+  const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const
 {
-  this->Write(this->NewDirections(N), frames, firstDirections, N, DirectionVectors(N, unitLength));
+  this->Write(this->NewDirections(vectors.Visited), frames, firstDirections, vectors.N, vectors);
 }
 
 void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrames& frames,
@@ -185,10 +178,9 @@ void ArraysOfPoints::AddSums(const std::string& name, const double* values) cons
 }
 
 void ArraysOfPoints::AddDirections(
-  const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
+  const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const
 {
-  const std::vector<double*> arrays = this->NewDirections(N);
-  const DirectionVectors vectors(N, unitLength);
+  const std::vector<double*> arrays = this->NewDirections(vectors.Visited);
   this->ForTuples(
     arrays, 3, [this](int point) { return this->RowOf(point); },
     [&](vtkIdType point, const ElementRow& vertices)

@@ -24,9 +24,6 @@ namespace dmg
 /// Its values are to be written.
 vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples);
 
-/// A copy, so that whoever changes it in place does not change what is kept.
-vtkSmartPointer<vtkDoubleArray> CopyOf(vtkDoubleArray* array);
-
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
@@ -48,10 +45,10 @@ protected:
     return array->GetPointer(0);
   }
 
-  std::vector<double*> NewDirections(int N) const
+  std::vector<double*> NewDirections(int number) const
   {
     std::vector<double*> tuples;
-    for (int k = 0; k < N; ++k)
+    for (int k = 0; k < number; ++k)
     {
       tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
     }
@@ -127,8 +124,9 @@ public:
   void AddPowers(const std::string& name, const TangentFrames& frames, const double* powers,
     const Vector<Complex>& first, int N) const;
 
-  /// All N directions; see CellDirections.
-  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const;
+  /// Directions that \p vectors visits; see CellDirections.
+  void AddDirections(
+    const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const;
 
 private:
   void Write(const std::vector<double*>& arrays, const TangentFrames& frames, const Vector<Complex>& directions, int N,
@@ -161,7 +159,9 @@ public:
   /// the first one has it.
   void AddSums(const std::string& name, const double* values) const;
 
-  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const;
+  /// Directions that \p vectors visits.
+  void AddDirections(
+    const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const;
 
 private:
   ElementRow RowOf(int point) const { return this->Surface.VerticesOf(point); }

@@ -18,8 +18,6 @@ public:
   virtual FramedSurface Surface() const = 0;
   /// The changes that made the surface a mesh.
   virtual const PreparationReport& Preparation() const = 0;
-  /// Another one for each surface.
-  virtual int Number() const = 0;
   /// The sum over the surface, its operators, and the set-up of a field on it.
   virtual double SetupSeconds(const Field& field) const = 0;
 };

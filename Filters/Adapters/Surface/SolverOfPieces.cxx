@@ -94,7 +94,6 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
   this->SolverOfMeshes.reset();
   this->OwnSurface.reset();
   this->Digest.clear();
-  ++this->NumberOfSurface;
   if (!AreAllOfMpi(ranks))
   {
     return "the ranks of VTK's controller are not those of MPI";

@@ -36,7 +36,6 @@ public:
   /// The triangles of this rank, with those around them of others, which are no part of any cell.
   FramedSurface Surface() const override { return { this->SolverOfMeshes->Piece().Surface(), this->Relation }; }
   const PreparationReport& Preparation() const override { return this->PreparationOfPiece; }
-  int Number() const override { return this->NumberOfSurface; }
   double SetupSeconds(const Field& field) const override;
 
   /// Over all surfaces.
@@ -53,7 +52,6 @@ private:
   SurfaceRelation Relation;
   PreparationReport PreparationOfPiece;
   std::unique_ptr<FieldSolverInPieces> SolverOfMeshes;
-  int NumberOfSurface = 0;
   double SurfaceSeconds = 0.0;
   StageCounts FormerCounts;
 };

@@ -39,7 +39,6 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
     this->PreparationOfSurface = surface.Report;
     this->Digest = digest;
     this->Order = order;
-    ++this->NumberOfSurface;
     this->SurfaceSeconds = watch.Seconds();
   }
   this->SolverOfMesh->SetOperators(stored ? this->Operators(input, *stored) : nullptr);

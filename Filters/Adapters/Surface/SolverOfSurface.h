@@ -32,7 +32,6 @@ public:
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
   FramedSurface Surface() const override { return { this->SolverOfMesh->Surface(), this->Relation }; }
   const PreparationReport& Preparation() const override { return this->PreparationOfSurface; }
-  int Number() const override { return this->NumberOfSurface; }
   double SetupSeconds(const Field& field) const override;
 
   /// Over all surfaces.
@@ -46,7 +45,6 @@ private:
   SurfaceRelation Relation;
   PreparationReport PreparationOfSurface;
   std::unique_ptr<FieldSolver> SolverOfMesh;
-  int NumberOfSurface = 0;
   /// All operators of this surface that were read, by their origin.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> OperatorsByOrigin;
   double SurfaceSeconds = 0.0;

@@ -51,19 +51,21 @@ std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Comple
 Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N, const std::vector<int>& labels = {},
   const ExecutionContext& context = SerialContext());
 
-/// The N directions of an element as vectors in space, 2 pi / N apart and counter-clockwise.
+/// The first of the N directions of an element, or all, as vectors in space, 2 pi / N apart and counter-clockwise.
 class DirectionVectors
 {
 public:
   /// \param unitLength whether they have unit length, rather than that of the first; zero where that is zero.
-  DirectionVectors(int N, bool unitLength)
+  /// \param visited number of directions that are visited.
+  DirectionVectors(int N, bool unitLength, int visited)
     : N(N)
+    , Visited(visited)
     , UnitLength(unitLength)
     , Step(std::polar(1.0, 2.0 * Pi / N))
   {
   }
 
-  /// Calls visit(k, vector) for all directions of an element, the first for k = 0.
+  /// Calls visit(k, vector) for directions of an element, the first for k = 0.
   template <class Visit>
   void VisitAt(const TangentFrames& frames, int element, Complex first, const Visit& visit) const
   {
@@ -75,15 +77,17 @@ public:
   void VisitIn(const Vector3& x, const Vector3& y, Complex first, const Visit& visit) const
   {
     Complex direction = this->UnitLength && first != 0.0 ? first / std::abs(first) : first;
-    for (int k = 0; k < this->N; ++k)
+    for (int k = 0; k < this->Visited; ++k)
     {
       visit(k, Vector3(direction.real() * x + direction.imag() * y));
       direction *= this->Step;
     }
   }
 
-private:
   const int N;
+  const int Visited;
+
+private:
   const bool UnitLength;
   const Complex Step;
 };

@@ -156,7 +156,6 @@ void FieldSolverInPieces::Internals::FindDirections(
     {
       CombOverSeams(this->Part, field);
     }
-    field.Number = this->Last.Number + 1;
     field.Report = this->Solution->Report;
     field.Solution = this->Solution;
     this->Last = std::move(field);

@@ -27,7 +27,7 @@ std::vector<Points> DirectionsOf(
 {
   std::vector<Points> directions(N, Points(X.size(), 3));
   const Vector<Complex> first = FirstDirections(X, N, labels);
-  const DirectionVectors vectors(N, unitLength);
+  const DirectionVectors vectors(N, unitLength, N);
   for (int i = 0; i < static_cast<int>(X.size()); ++i)
   {
     vectors.VisitAt(

@@ -54,7 +54,9 @@ class ThreeFields(unittest.TestCase):
             self.assertTrue(where.any())
             expected = unit(way - n[where] * (n[where] @ way)[:, None])
             np.testing.assert_allclose(self.cells("face_field", "FaceField")[where], expected, atol=1e-5)
-            crosses = np.stack([self.cells("power_field", f"Direction{k}")[where] for k in range(4)])
+            first = self.cells("power_field", "Direction0")[where]
+            across = np.cross(n[where], first)
+            crosses = np.stack([first, across, -first, -across])
             # A point has the mean of the faces there that the arrow passes, which lie in planes of their own.
             planes = np.abs(n[where] @ n[where].mean(axis=0))
             self.assertLess(np.linalg.norm(crosses - expected, axis=2).min(axis=0).max(),
