@@ -8,10 +8,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter, vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
 from any_surfaces import (cells_of, grid_of, hard, hexagons, image, latitude_longitude, make, odd, out, plane, plate_with_stiffener, points_of, polygons,
-                          positions_of, soup, sphere, superquadric, with_flips_and_twins)
+                          positions_of, soup, sphere, superquadric, volumes, with_flips_and_twins)
 from directionalmultigrid import FieldError, FieldWarning, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles,
                                                               vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
@@ -31,6 +32,16 @@ def solved(data, **properties):
     for name, value in properties.items():
         getattr(solver, "Set" + name)(value)
     return result_of(solver)
+
+
+def update_strictly(data):
+    """The output of the solver, which warns of nothing and refuses what is not an oriented manifold."""
+    solver = vtkHarmonicFieldSolver()
+    solver.SetInputDataObject(0, data)
+    solver.SetStrict(True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", FieldWarning)
+        return update(solver)
 
 
 def result_of(algorithm):
@@ -108,6 +119,18 @@ class AnySurface(unittest.TestCase):
                 if not error:
                     total, characteristic, _ = topology(solved(data))
                     self.assertAlmostEqual(total, characteristic, delta=1e-9)
+
+    def test_the_skin_of_tetrahedra_is_closed_and_turned_nowhere(self):
+        """Solids that touch in edges and points are parted there, and nothing else is done."""
+        for name, (data, characteristic, manifold) in volumes().items():
+            for extract in (vtkGeometryFilter(), vtkDataSetSurfaceFilter()):
+                with self.subTest(solid=name, skin=extract.GetClassName()):
+                    skin = out(extract, data)
+                    field = update_strictly(skin) if manifold else solved(skin)
+                    self.assertRegex(preparation(field), "^((, )?[0-9]+ (edges? of more than two sheets|pinched points?) parted)*$")
+                    total, found, loops = topology(field)
+                    self.assertAlmostEqual(total, found, delta=1e-9)
+                    self.assertEqual((found, loops), (found if characteristic is None else characteristic, 0))
 
     def test_layers_along_a_wall_are_no_rounding(self):
         data = odd()["layers_along_a_wall"][0]

@@ -4,14 +4,16 @@ make() gives {name: (dataset, expected)}. expected has the Euler characteristic 
 cells oriented), its loops of boundary, and the number of cells that have a direction; None where a person may see either.
 """
 
+from itertools import permutations, product
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricEllipsoid, vtkParametricTorus
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_BEZIER_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL, VTK_PIXEL, VTK_WEDGE, VTK_POLYGON, VTK_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE,
-                                           vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
-                                           vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkCommonDataModel import (VTK_BEZIER_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL, VTK_PIXEL, VTK_POLYGON, VTK_QUAD,
+                                           VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TETRA, VTK_TRIANGLE, VTK_WEDGE, vtkCellArray,
+                                           vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkDelaunay3D, vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import (vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkLineSource, vtkParametricFunctionSource,
                                           vtkPlaneSource, vtkRegularPolygonSource, vtkSphereSource, vtkSuperquadricSource)
@@ -412,6 +414,48 @@ def grid_of_types(positions, cells):
     for kind, corners in cells:
         grid.InsertNextCell(kind, len(corners), list(corners))
     return grid
+
+
+FIVE = [[(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(1, 1, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1)],
+        [(1, 0, 1), (1, 0, 0), (0, 0, 1), (1, 1, 1)], [(0, 1, 1), (0, 1, 0), (0, 0, 1), (1, 1, 1)],
+        [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]]
+SIX = [np.cumsum([np.zeros(3, int), *np.eye(3, dtype=int)[list(axes)]], axis=0) for axes in permutations(range(3))]
+
+
+def tetrahedra(cubes, pattern):
+    """Unit cubes, each of five tetrahedra, mirrored from cube to cube so that diagonals meet, or of six."""
+    numbers, cells = {}, []
+    for cube in map(np.array, cubes):
+        for corners in pattern:
+            places = cube + (abs(cube % 2 - corners) if pattern is FIVE else corners)
+            a, b, c, d = places
+            if np.linalg.det([b - a, c - a, d - a]) < 0:
+                places = [b, a, c, d]
+            cells.append((VTK_TETRA, [numbers.setdefault(tuple(place), len(numbers)) for place in places]))
+    return grid_of_types(list(numbers), cells)
+
+
+def volumes():
+    """{name: (dataset, Euler characteristic of its skin, whether that is a manifold)} of tetrahedra. The characteristic is None where
+    solids touch in ways that a person may part one way or the other."""
+    rng = np.random.default_rng(2)
+    cloud = polygons(rng.random((300, 3)), [])
+    alpha = vtkDelaunay3D()
+    alpha.SetAlpha(0.2)
+    alpha.AlphaTrisOff()
+    alpha.AlphaLinesOff()
+    alpha.AlphaVertsOff()
+    solids = {"block": (list(product(range(3), range(4), range(2))), 2, True), "at_an_edge": ([(0, 0, 0), (1, 1, 0)], 4, False),
+              "at_a_vertex": ([(0, 0, 0), (1, 1, 1)], 4, False), "chequered": ([c for c in product(range(4), repeat=3) if sum(c) % 2 == 0], 64, False),
+              "ring": ([c for c in product(range(3), range(3), [0]) if c != (1, 1, 0)], 0, True),
+              "hollow": ([c for c in product(range(3), repeat=3) if c != (1, 1, 1)], 4, True),
+              "any": ([c for c in product(range(5), repeat=3) if rng.random() < 0.5], None, False)}
+    result = {f"{name}_of_{len(pattern)}": (tetrahedra(cubes, pattern), *expected)
+              for name, (cubes, *expected) in solids.items() for pattern in (FIVE, SIX)}
+    result["delaunay"] = (out(vtkDelaunay3D(), cloud), 2, True)
+    result["alpha_shape"] = (out(alpha, cloud), None, False)
+    result["half_of_delaunay"] = (grid_of_types(positions_of(cloud), [(VTK_TETRA, cell) for cell in cells_of(result["delaunay"][0])[::2]]), None, False)
+    return result
 
 
 def book(sheets):

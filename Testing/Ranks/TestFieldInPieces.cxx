@@ -122,6 +122,63 @@ TEST(FieldInPieces, IsTheSmoothestOneWhereNothingIsFollowed)
   EXPECT_EQ(Sum(static_cast<int>(std::lround(4.0 * sum))), 8);
 }
 
+TEST(FieldInPieces, WithoutPrescriptionsDependsNotOnWhatWasSolvedBefore)
+{
+  vtkNew<Solver> fresh, used;
+  for (Solver* solver : { fresh.Get(), used.Get() })
+  {
+    solver->SetInputData(OwnBand());
+    solver->SetNumberOfDirections(4);
+  }
+  used->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
+  UpdateOwnPiece(used);
+  used->SetInputArrayToProcess(1, 0, 0, OnCells, "");
+  UpdateOwnPiece(used);
+  UpdateOwnPiece(fresh);
+  EXPECT_EQ(Gathered(OutputOf(used)), "");
+  EXPECT_EQ(
+    Values(OutputOf(used)->GetPointData(), "PowerField"), Values(OutputOf(fresh)->GetPointData(), "PowerField"));
+}
+
+/// Vertices beside the triangles change neither positions nor triangles.
+TEST(FieldInPieces, HasAsManyTuplesAsCellsWhenTheirNumberAloneChanges)
+{
+  vtkNew<Solver> solver;
+  for (const int vertices : { 0, 3, 1 })
+  {
+    const auto own = OwnBand();
+    vtkNew<vtkCellArray> marks;
+    for (int k = 0; k < vertices * Rank(); ++k)
+    {
+      marks->InsertNextCell({ 0 });
+    }
+    own->SetVerts(marks);
+    own->GetCellData()->Initialize();
+    solver->SetInputData(own);
+    UpdateOwnPiece(solver);
+    vtkDataSet* const output = OutputOf(solver);
+    EXPECT_EQ(output->GetNumberOfCells(), own->GetNumberOfCells());
+    EXPECT_EQ(output->GetCellData()->GetArray("Direction0")->GetNumberOfTuples(), own->GetNumberOfCells());
+  }
+}
+
+TEST(FieldInPieces, OutputsMayBeChangedByTheCaller)
+{
+  const auto solver = NewSolver(OwnBand());
+  UpdateOwnPiece(solver);
+  const auto before = Values(OutputOf(solver)->GetCellData(), "Direction0");
+  OutputOf(solver)->GetCellData()->GetArray("Direction0")->Fill(0.0);
+  solver->SetCombing(false);
+  UpdateOwnPiece(solver);
+  solver->SetCombing(true);
+  UpdateOwnPiece(solver);
+  EXPECT_EQ(Values(OutputOf(solver)->GetCellData(), "Direction0"), before);
+  solver->Modified();
+  OutputOf(solver)->GetCellData()->GetArray("Direction0")->Fill(0.0);
+  UpdateOwnPiece(solver);
+  EXPECT_EQ(Values(OutputOf(solver)->GetCellData(), "Direction0"), before);
+}
+
 TEST(FieldInPieces, FollowsGuidesAndFeaturesAndAMovedGuideBuildsNoLevels)
 {
   vtkNew<vtkLineSource> line;

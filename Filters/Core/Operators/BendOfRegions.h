@@ -42,27 +42,27 @@ struct RegionSize
 
   double Expected; ///< number of vertices, and a few more
   double SquaredRadius;
-  std::size_t Limit; ///< of the number of vertices
+  std::size_t Limit; ///< of the number of vertices, and of the neighbours that are looked at beyond the first vertex
 };
 
-/// Visits the neighbours of a vertex, counter-clockwise.
+/// Visits the neighbours of a vertex, counter-clockwise, while visit(neighbour) says to go on.
 template <class Visit>
 void VisitVerticesAround(const TriangleMesh& mesh, int vertex, const Visit& visit)
 {
-  mesh.VisitFan(vertex,
-    [&](int halfedge)
-    {
-      visit(mesh.Head(halfedge));
-      const int previous = TriangleMesh::Previous(halfedge);
-      if (mesh.Twin(previous) < 0)
-      {
-        visit(mesh.Tail(previous));
-      }
-    });
+  const int first = mesh.OutgoingHalfedge(vertex);
+  bool goesOn = true;
+  for (int h = first; goesOn && h >= 0;)
+  {
+    const int previous = TriangleMesh::Previous(h);
+    const int next = mesh.Twin(previous);
+    goesOn = visit(mesh.Head(h)) && (next >= 0 || visit(mesh.Tail(previous))) && next != first;
+    h = next;
+  }
 }
 
 /// Sums over the regions of vertices, one after the other.
-/// \tparam Graph of vertices has Position(vertex), Part(vertex) and VisitNeighbours(vertex, visit).
+/// \tparam Graph of vertices has Position(vertex), Part(vertex) and VisitNeighbours(vertex, visit), which ends where
+/// visit(neighbour) says so.
 template <class Graph>
 class SumsOverRegions
 {
@@ -83,6 +83,7 @@ public:
     for (std::size_t i = 0; i < this->Region.size(); ++i) // grows meanwhile
     {
       sum += this->Of.Part(this->Region[i]);
+      std::size_t looks = 0;
       this->Of.VisitNeighbours(this->Region[i],
         [&](int vertex)
         {
@@ -94,6 +95,8 @@ public:
             this->RegionOf[vertex] = centre;
             this->Region.push_back(vertex);
           }
+          // All regions beside a vertex of many neighbours would else look at all of these.
+          return i == 0 || ++looks < this->Size.Limit;
         });
     }
     return sum;

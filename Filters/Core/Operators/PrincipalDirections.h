@@ -34,7 +34,8 @@ struct PrincipalDirections
 ///
 /// A region holds what lies nearer to its vertex than \p scale times the mean length of the edges, as far as it is
 /// reached by edges that lie there, and the neighbours of the vertex; where the surface has much shorter edges than
-/// elsewhere, no more than the nearest 16 scale^2 + 16 vertices, four times as many as on an even surface.
+/// elsewhere, no more than the nearest 16 scale^2 + 16 vertices, four times as many as on an even surface. A region goes on
+/// to no more than so many neighbours of any other vertex.
 ///
 /// On a face, the shape operator is the derivative of the vertices' normals, interpolated between its corners
 /// (Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes"). Its integral over a region is a
@@ -48,7 +49,7 @@ struct PrincipalDirections
 /// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
 /// \param scale finite, >= 0.
 /// \throw Cancelled
-/// Cost: O(scale^2) for each vertex, times the number of triangles around it.
+/// Cost: O(scale^2) for each vertex, and at most O(scale^4) near vertices of many neighbours.
 PrincipalDirections FindPrincipalDirections(
   const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
 

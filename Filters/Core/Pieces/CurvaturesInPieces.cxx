@@ -74,22 +74,23 @@ public:
     {
       if (this->IsOwned(neighbour) || this->Other(neighbour).IsKnown)
       {
-        visit(neighbour);
+        return visit(neighbour);
       }
-      else
-      {
-        this->Missing.push_back(neighbour);
-      }
+      this->Missing.push_back(neighbour);
+      return true;
     };
     if (this->IsOwned(node))
     {
       VisitVerticesAround(this->Piece.Surface().Mesh, this->Piece.FirstOwned() + node,
-        [&](int vertex) { visitKnown(this->NodesOfVertices[vertex]); });
+        [&](int vertex) { return visitKnown(this->NodesOfVertices[vertex]); });
       return;
     }
     for (const int neighbour : this->Other(node).Neighbours)
     {
-      visitKnown(neighbour);
+      if (!visitKnown(neighbour))
+      {
+        return;
+      }
     }
   }
 
@@ -113,7 +114,11 @@ public:
       [&](int number, std::vector<PlaceOnRank>& list)
       {
         VisitVerticesAround(this->Piece.Surface().Mesh, this->Piece.FirstOwned() + number,
-          [&](int vertex) { list.push_back(this->Piece.OwnerOf(vertex)); });
+          [&](int vertex)
+          {
+            list.push_back(this->Piece.OwnerOf(vertex));
+            return true;
+          });
       });
     for (std::size_t k = 0; k < nodes.size(); ++k)
     {

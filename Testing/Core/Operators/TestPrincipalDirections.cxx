@@ -1,5 +1,6 @@
 #include "Operators/PrincipalDirections.h"
 
+#include "Operators/BendOfRegions.h"
 #include "Support/Errors.h"
 #include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
@@ -222,6 +223,60 @@ TEST(PrincipalDirections, DoNotSeeWhatIsNearButElsewhere)
   EXPECT_EQ(alone.Vertices.Maximum, beside.Vertices.Maximum.head(size));
   const auto far = FindPrincipalDirections(two, 4.0);
   EXPECT_LT((far.Vertices.Maximum.head(size).array() - 1.0).abs().maxCoeff(), 0.3);
+}
+
+/// A fan of triangles around vertex 0, which counts how often a neighbour is looked at.
+class CountingFan
+{
+public:
+  explicit CountingFan(int triangles)
+    : Size(triangles)
+  {
+  }
+
+  Vector3 Position(int vertex) const
+  {
+    const double angle = 2.0 * Pi * vertex / this->Size;
+    return vertex == 0 ? Vector3(0.0, 0.0, 0.3) : Vector3(std::cos(angle), std::sin(angle), 0.0);
+  }
+  BendOfPart Part(int) const { return {}; }
+  template <class Visit>
+  void VisitNeighbours(int vertex, const Visit& visit) const
+  {
+    const auto look = [&](int neighbour)
+    {
+      ++this->Looks;
+      return visit(neighbour);
+    };
+    if (vertex > 0)
+    {
+      look(0) && look(1 + vertex % this->Size) && look(1 + (vertex + this->Size - 2) % this->Size);
+      return;
+    }
+    for (int rim = 1; rim <= this->Size && look(rim); ++rim)
+    {
+    }
+  }
+
+  const int Size;
+  mutable double Looks = 0.0;
+};
+
+TEST(PrincipalDirections, LookAtFewNeighboursEachBesideAVertexOfVeryMany)
+{
+  constexpr int Triangles = 20000;
+  const CountingFan fan(Triangles);
+  SurfaceSizes sizes;
+  sizes.NumberOfVertices = Triangles + 1;
+  sizes.MeanEdge = 0.5;
+  const RegionSize region(3.0, sizes);
+  SumsOverRegions<CountingFan> sums(fan, Triangles + 1, region);
+  for (int vertex = 0; vertex <= Triangles; ++vertex)
+  {
+    sums.Around(vertex);
+  }
+  // Three at each vertex of the rim, and the limit at the centre; each for all regions. The region of the centre is all.
+  EXPECT_LE(fan.Looks, 4.0 * Triangles * static_cast<double>(region.Limit + 2));
 }
 
 TEST(PrincipalDirections, HaveTheSameBitsForAnyNumberOfThreads)
