@@ -122,8 +122,9 @@ public:
 
   ///@{
   /**
-   * The distance of glyphs from the surface along its normal, as a fraction of the surface's size. The surface would hide glyphs
-   * that lie in it. Default 0.001, range 0 to 0.1.
+   * The distance of glyphs from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
+   * lie in the surface, and show from both sides where a mapper draws them nearer to the viewer, as ParaView does in the
+   * representation Ink (vtkMapper::SetResolveCoincidentTopologyToPolygonOffset). Elsewhere a thousandth shows them from one side.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -146,7 +147,7 @@ private:
   double ScaleFactor = 0.9;
   int Style = Solid;
   double Width = 0.1;
-  double Lift = 0.001;
+  double Lift = 0.0;
 };
 
 #endif

@@ -80,8 +80,9 @@ public:
 
   ///@{
   /**
-   * The distance of lines from the surface along its normal, as a fraction of the surface's size. The surface would hide lines
-   * that lie in it. Default 0.001, range 0 to 0.1.
+   * The distance of lines from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
+   * lie in the surface, and show from both sides where a mapper draws them nearer to the viewer, as ParaView does in the
+   * representation Ink (vtkMapper::SetResolveCoincidentTopologyToPolygonOffset). Elsewhere a thousandth shows them from one side.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -111,7 +112,7 @@ private:
   double SeparatingDistance = 0.015;
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;
-  double Lift = 0.001;
+  double Lift = 0.0;
   bool ArrowHeads = true;
 };
 

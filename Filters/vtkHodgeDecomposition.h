@@ -176,8 +176,9 @@ public:
 
   ///@{
   /**
-   * The distance of these lines from the surface along its normal, as a fraction of the surface's size. The surface hides lines
-   * that lie in it. Default 0.001, range 0 to 0.1.
+   * The distance of these lines from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
+   * lie in the surface, and show from both sides where a mapper draws them nearer to the viewer, as ParaView does in the
+   * representation Ink (vtkMapper::SetResolveCoincidentTopologyToPolygonOffset). Elsewhere a thousandth shows them from one side.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -258,7 +259,7 @@ private:
   bool HarmonicPart = true;
   bool Derivatives = true;
   int NumberOfContours = 20;
-  double Lift = 0.001;
+  double Lift = 0.0;
   double LengthScale = 1.0;
   double Axis[3] = { 0.0, 0.0, 1.0 };
   int Solver = Automatic;

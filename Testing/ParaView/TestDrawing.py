@@ -172,15 +172,51 @@ class Drawing(unittest.TestCase):
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_lines_do_not_break_into_dashes(self):
-        """As much is seen of them as with four times the lift, also near the silhouette, and nothing from behind."""
+        """As much is seen of them as off the surface, also near the silhouette, and nothing from behind."""
         view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
         simple.Show(self.field, view)
         lines = simple.FieldLines(Input=self.field)
         simple.Show(lines, view)
         blue = 2
         seen = self.part_of(view, blue)
-        lines.Lift = 4 * lines.Lift
+        lines.Lift = 0.001
         self.assertAlmostEqual(seen / self.part_of(view, blue), 1, delta=0.05)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_ink_shows_from_both_sides(self):
+        """A plane looks alike from above and below, near and far, in perspective and without, in the window and in saved pictures."""
+        plane = simple.Plane(XResolution=30, YResolution=30)
+        field = simple.HarmonicFieldSolver(Input=plane)
+        flow = simple.HodgeDecomposition(Input=simple.Calculator(Input=plane, ResultArrayName="Flow", Function="jHat*coordsX-iHat*coordsY"),
+                                         Vectors=["POINTS", "Flow"], NumberOfContours=30)
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0, CameraParallelScale=0.5)
+        simple.Show(field, view, Representation="Surface", ColorArrayName=["POINTS", ""])
+        for ink, port in ((simple.FieldLines(Input=field), 0), (simple.FieldGlyphs(Input=field, Style="Solid"), 0), (flow, 1)):
+            for distance, parallel in ((3, 0), (0.3, 0), (3, 1)):
+                with self.subTest(ink=ink.SMProxy.GetXMLName(), distance=distance, parallel=parallel):
+                    seen = []
+                    for side in (distance, -distance):
+                        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0.02, side], [0, 0, 0], [0, 1, 0]
+                        view.CameraParallelProjection = parallel
+                        simple.Hide(simple.OutputPort(ink, port), view)
+                        plain = self.colours(view)
+                        simple.Show(simple.OutputPort(ink, port), view)
+                        seen.append((self.colours(view) != plain).any(axis=1).mean())
+                    self.assertGreater(min(seen), 0.005)
+                    self.assertAlmostEqual(seen[0] / seen[1], 1, delta=0.25)
+            simple.Hide(simple.OutputPort(ink, port), view)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_ink_behind_a_surface_is_hidden(self):
+        """A sphere's lines on the far side, and lines of a plane a fiftieth behind another."""
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0, CameraPosition=[0, 0, 3], CameraFocalPoint=[0, 0, 0])
+        simple.Show(simple.Plane(), view)
+        behind = simple.Transform(Input=simple.Plane(XResolution=30, YResolution=30))
+        behind.Transform.Translate, behind.Transform.Scale = [0, 0, -0.02], [0.8, 0.8, 1]
+        simple.Show(simple.FieldLines(Input=simple.HarmonicFieldSolver(Input=behind)), view)
+        self.assertEqual(self.part_of(view, 2), 0)
         simple.Delete(view)
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
