@@ -78,6 +78,7 @@ FieldProblem ProblemOf(Filter* filter)
   problem.Rotation.Everywhere = problem.Options.Field.HasDirections() ? filter->GetRotation() * (Pi / 180.0) : 0.0;
   problem.Combing = filter->GetCombing();
   problem.UnitLength = filter->GetUnitLength();
+  problem.UnitLengthWhileSmoothing = filter->GetUnitLengthWhileSmoothing();
   problem.HarmonicBasis = filter->GetHarmonicBasis();
   return problem;
 }

@@ -113,6 +113,7 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   this->Tolerance = problem.Stop.RelativeTolerance;
   this->MaximumNumberOfIterations = problem.Stop.MaximumIterations;
   this->UnitLength = problem.UnitLength;
+  this->UnitLengthWhileSmoothing = problem.UnitLengthWhileSmoothing;
   this->Combing = problem.Combing;
   this->HarmonicBasis = problem.HarmonicBasis;
   this->SetNumberOfInputPorts(6);
@@ -380,6 +381,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
   os << indent << "AllDirections: " << (this->AllDirections ? "On" : "Off") << "\n";
+  os << indent << "UnitLengthWhileSmoothing: " << (this->UnitLengthWhileSmoothing ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
   os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";

@@ -35,6 +35,11 @@ struct FieldProblem
   /// The singularities that a power field shall have, and no others. None: they come by themselves.
   std::optional<std::vector<PrescribedSingularity>> Singularities = {};
 
+  /// Whether the field is the smoothest one nearby among those of unit length, in place of the smoothest one of any length: singularities
+  /// keep apart rather than meet where the field is short (DiffusedAtUnitLength). Of power fields and face fields; values of unit length
+  /// are followed, whatever the length of those that are given. Prescribed singularities leave nothing for it to do.
+  bool UnitLengthWhileSmoothing = false;
+
   /// Whether direction 0 continues from face to face wherever that is possible, rather than being the principal root.
   bool Combing = true;
   /// Whether the field comes with a basis of the harmonic fields of its kind (Field::HarmonicBasis).

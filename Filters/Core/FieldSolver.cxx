@@ -7,6 +7,7 @@
 #include "ProblemConstraints.h"
 #include "Setup/FactorChoice.h"
 #include "Setup/SetupCache.h"
+#include "Setup/UnitLengthDiffusion.h"
 #include "Singularities/SingularStages.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
@@ -163,6 +164,9 @@ private:
     const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const;
   void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, const PlannedSetup& setup,
     const ExecutionContext& context);
+  /// The solution, diffused at unit length.
+  std::shared_ptr<const FieldSolution> Diffuse(
+    const FieldProblem& problem, const PlannedSetup& setup, const ExecutionContext& context);
 
   std::optional<double> ShearedShare; ///< of the surface
   DiscretisationOptions OptionsOfDiscretisation;
@@ -173,6 +177,8 @@ private:
   std::unique_ptr<SystemStage> System;
   std::optional<SolveKey> KeyOfSolution;
   std::shared_ptr<const FieldSolution> Solution; ///< of this key; without one, where the next solve starts
+  std::shared_ptr<const FieldSolution> Diffused; ///< at unit length
+  std::shared_ptr<const FieldSolution> StartOfDiffused;
 };
 
 void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& options)
@@ -199,9 +205,24 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldPr
     throw InvalidInput("nested iterations and coarse prolongations take no source; choose another solver");
   }
   this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
-  this->SolveSystem(onElements, problem.Stop, setup, PartOfContext(context, 0.75, 1.0));
-  context.Checkpoint(1.0);
-  return this->Solution;
+  const bool isDiffused = problem.UnitLengthWhileSmoothing && HaveLengths(*this->Discretisation);
+  const double solved = isDiffused ? 0.8 : 1.0;
+  this->SolveSystem(onElements, problem.Stop, setup, PartOfContext(context, 0.75, solved));
+  context.Checkpoint(solved);
+  return isDiffused ? this->Diffuse(problem, setup, PartOfContext(context, solved, 1.0)) : this->Solution;
+}
+
+std::shared_ptr<const FieldSolution> FieldSolver::Internals::Diffuse(
+  const FieldProblem& problem, const PlannedSetup& setup, const ExecutionContext& context)
+{
+  if (this->StartOfDiffused != this->Solution)
+  {
+    const double area = this->Surface.Mesh.FaceAreas().sum();
+    this->Diffused = std::make_shared<const FieldSolution>(
+      DiffusedAtUnitLength(*this->Solution, setup, problem.Options, area, problem.Stop, context));
+    this->StartOfDiffused = this->Solution;
+  }
+  return this->Diffused;
 }
 
 void FieldSolver::Internals::MakeSystem(const PlannedSetup& setup, const FieldConstraints& constraints,

@@ -33,6 +33,7 @@ TEST(Defaults, OfTheSolverAreThoseOfTheCore)
   EXPECT_EQ(problem.Features.FollowsMinimum, expected.Features.FollowsMinimum);
   EXPECT_EQ(problem.Combing, expected.Combing);
   EXPECT_EQ(problem.UnitLength, expected.UnitLength);
+  EXPECT_EQ(problem.UnitLengthWhileSmoothing, expected.UnitLengthWhileSmoothing);
   EXPECT_EQ(problem.HarmonicBasis, expected.HarmonicBasis);
   EXPECT_EQ(problem.Guides.MaximumDistance, expected.Guides.MaximumDistance);
   EXPECT_EQ(problem.Rotation.Everywhere, expected.Rotation.Everywhere);

@@ -227,10 +227,11 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   solver->SetSolver(choose.Below(6));
   solver->SetConstraintType(choose.Below(2));
   solver->SetCoarseSpace(choose.Below(2));
-  for (int bound : { 2, 4, 3, 3, 5, 6 }) // six choices that the corpus's seeds were found with
+  for (int bound : { 2, 4, 3, 3, 5 }) // five choices that the corpus's seeds were found with
   {
     choose.Below(bound);
   }
+  solver->SetUnitLengthWhileSmoothing(choose.Below(6) == 0);
   solver->SetExpectedSolves(1 + choose.Below(1000));
   solver->SetCompareWithCholesky(choose.OneIn(4));
   solver->SetMaximumNumberOfIterations(choose.OneIn(4) ? choose.Below(5) : 100);

@@ -9,26 +9,11 @@ from directionalmultigrid import FieldWarning, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldSingularities
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from surfaces import add, corners, surface, values, values_of_points
-
-
-def grid(n, place, diagonals=0):
-    """n x n squares on [-1, 1]^2, mapped; diagonals rise (0), fall (1) or run at random (2)."""
-    x, y = (a.ravel() for a in np.meshgrid(np.linspace(-1, 1, n + 1), np.linspace(-1, 1, n + 1), indexing="ij"))
-    i, j = (a.ravel() for a in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
-    a, b, c, d = (k * (n + 1) + m for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
-    rises = (np.ones(n * n, bool), np.zeros(n * n, bool), np.random.default_rng(3).random(n * n) < 0.5)[diagonals]
-    first = np.where(rises[:, None], np.stack([a, b, c], 1), np.stack([a, b, d], 1))
-    second = np.where(rises[:, None], np.stack([a, c, d], 1), np.stack([b, c, d], 1))
-    return surface(np.stack(place(x, y), 1), np.concatenate([first, second]))
+from surfaces import add, corners, disc, grid, surface, values, values_of_points
 
 
 def plane(x, y):
     return x, y, 0 * x
-
-
-def disc(x, y):
-    return x * np.sqrt(1 - y * y / 2), y * np.sqrt(1 - x * x / 2), 0 * x
 
 
 def ball(x, y):

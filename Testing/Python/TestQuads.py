@@ -7,6 +7,7 @@ from directionalmultigrid import FieldError, quads, smooth_field
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource, vtkSphereSource
+from surfaces import disc, grid
 
 
 def plane(cells=12):
@@ -55,6 +56,23 @@ class Quads(unittest.TestCase):
         self.assertEqual(surface.GetNumberOfCells(), 144)  # the input stays
         places = np.round(20 * vtk_to_numpy(result.GetPoints().GetData()), 4)
         self.assertEqual({tuple(place) for place in places}, {(i, j, 0) for i in range(21) for j in range(21)})
+
+    def test_singularities_of_a_disk_keep_apart_so_that_edges_are_alike(self):
+        """The smoothest crosses of any length have all four beside its middle, where quads become small or large."""
+        disk = grid(40, disc, 2)
+
+        def spread(mesh):
+            ends = vtk_to_numpy(mesh.GetPoints().GetData())[sides(mesh)]
+            lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+            return lengths.std() / lengths.mean()
+
+        crosses = {"Discretisation": "PowerField", "BoundaryWeight": 1000}
+        own = quads(disk, 600)
+        kept_apart = quads(smooth_field(disk, n=4, UnitLengthWhileSmoothing=True, **crosses), 600)
+        together = quads(smooth_field(disk, n=4, **crosses), 600)
+        self.assertLess(spread(own), 0.15)
+        self.assertLess(spread(kept_apart), 0.15)
+        self.assertGreater(spread(together), 0.3)
 
     def test_directed_edges_are_there_once(self):
         result = quads(sphere(), 600)

@@ -73,6 +73,7 @@ CrossesOfSurface Smoothest(
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
   problem.Features.SharpEdgesWeight = options.AlignSharpEdges ? WeightOfAligned : 0.0;
   problem.Features.FeatureAngle = options.FeatureAngle;
+  problem.UnitLengthWhileSmoothing = true;
   CrossesOfSurface crosses;
   crosses.Relation = surface;
   const Field& field = solver->Solve(problem, PartOfContext(context, 0.2, 1.0), surface.Names());

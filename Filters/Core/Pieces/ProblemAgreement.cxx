@@ -71,7 +71,9 @@ std::string TextOfOthers(const FieldProblem& problem)
   return "tolerance " + ShortText(problem.Stop.RelativeTolerance) + ", iterations " +
     std::to_string(problem.Stop.MaximumIterations) + ", smoothing length " + ShortText(problem.SmoothingLength) +
     ", rotation " + ShortText(problem.Rotation.Everywhere) + (problem.Combing ? ", combed" : "") +
-    (problem.UnitLength ? ", unit length" : "") + (problem.HarmonicBasis ? ", basis" : "") +
+    (problem.UnitLength ? ", unit length" : "") +
+    (problem.UnitLengthWhileSmoothing ? ", unit length while smoothing" : "") +
+    (problem.HarmonicBasis ? ", basis" : "") +
     (problem.Singularities ? ", " + std::to_string(problem.Singularities->size()) + " singularities" : "");
 }
 

@@ -17,6 +17,10 @@ std::string ReasonToGather(const FieldProblem& problem)
   {
     return "fields with prescribed singularities are found on one process";
   }
+  if (problem.UnitLengthWhileSmoothing)
+  {
+    return "fields are smoothed at unit length on one process";
+  }
   if (options.CoarseSpace != CoarseSpaceKind::LinearInterpolation)
   {
     return "structure-preserving coarse spaces are built on one process";
