@@ -66,7 +66,7 @@ class Quads(unittest.TestCase):
             lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
             return lengths.std() / lengths.mean()
 
-        crosses = {"Discretisation": "PowerField", "BoundaryWeight": 1000}
+        crosses = {"Discretisation": "PointPowerField", "BoundaryWeight": 1000}
         own = quads(disk, 600)
         kept_apart = quads(smooth_field(disk, n=4, UnitLengthWhileSmoothing=True, **crosses), 600)
         together = quads(smooth_field(disk, n=4, **crosses), 600)
