@@ -79,12 +79,12 @@ TEST(FieldSolver, AMovedGuideRepeatsNoSetup)
   FieldProblem problem;
   const auto guide = [](double y) { return GuideLine{ { Vector3(-0.5, y, 1.0), Vector3(0.5, y + 0.1, 1.0) } }; };
   problem.Guides.Lines = { guide(0.1) };
-  const long long first = solver.Solve(problem).Number;
+  const auto first = solver.Solve(problem).Solution;
   ExpectStages(solver, 1, 1, 1);
-  EXPECT_EQ(solver.Solve(problem).Number, first);
+  EXPECT_EQ(solver.Solve(problem).Solution, first);
   ExpectStages(solver, 1, 1, 1);
   problem.Guides.Lines = { guide(-0.3) };
-  EXPECT_NE(solver.Solve(problem).Number, first);
+  EXPECT_NE(solver.Solve(problem).Solution, first);
   ExpectStages(solver, 1, 2, 2);
   problem.Combing = false; // is no stage
   EXPECT_FALSE(solver.Solve(problem).IsCombed);
