@@ -1,6 +1,7 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
 #include "Adapters/Input/EastAndNorth.h"
+#include "Constraints/WeightsOfPoints.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -131,6 +132,7 @@ Constraints DirectionsOnSurface(
         }
       }));
   WeighByDifference(constraints, differences);
+  WeighPlacesOnce(directions.AtVertices, surface.Geometry.Mesh, relation);
   Add(unusable, LeaveOutUnusable(directions, surface.Geometry));
   return directions;
 }
@@ -218,6 +220,7 @@ Constraints ConstraintsFromArrays(
   {
     constraints = DirectionsOnSurface(choices, input, surface, unusable);
   }
+  WeighPlacesOnce(values, surface.Geometry.Mesh, surface.Relation);
   constraints.Values = std::move(values);
   constraints.Source = SourceOnSurface(choices.Source, input, surface);
   return constraints;
