@@ -5,7 +5,7 @@
  * Vectors that are given at a few places are carried to everywhere: each place takes the vector of the nearest source, which keeps its
  * angle to the shortest path (the vector heat method, Sharp, Soliman and Crane 2019). The logarithmic map of a point gives each place
  * the direction in which the shortest path to it starts, and its length: coordinates for decals and polar plots, with little distortion
- * near the point (the affine heat method, Soliman and Sharp 2025). Filters/Core/Geodesics/ParallelTransport.md has the formulas.
+ * near the point (angles by the affine heat method, Soliman and Sharp 2025). Filters/Core/Geodesics/ParallelTransport.md has the formulas.
  *
  * @section vtkParallelTransport-Inputs Inputs
  *
@@ -28,8 +28,8 @@
  * | TextureCoordinates | points        | 2          | 0.5 + LogarithmicMap / TextureSize: an image with the point in its middle; active texture coordinates |
  * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
  *
- * Components of the surface without a source, or without the map's point, have zeros; a warning counts their points. So have points of no
- * cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle
+ * Distances go around holes. Components of the surface without a source have zero vectors, and those without the map's point NaN; a warning
+ * counts their points. So have points of no cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle
  * across such a place shows the whole texture; take it away with Threshold of GeodesicDistance.
  *
  * @section vtkParallelTransport-Execution Execution

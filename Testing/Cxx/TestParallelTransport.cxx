@@ -178,7 +178,7 @@ TEST(ParallelTransportFilter, TakesQuadrilateralsOfAnyDataSet)
   ASSERT_TRUE(output->IsA("vtkUnstructuredGrid"));
   ASSERT_EQ(output->GetNumberOfPoints(), 50);
   EXPECT_NEAR(output->GetPointData()->GetArray("GeodesicDistance")->GetComponent(0, 0), std::hypot(3.0, 3.0), 1e-6);
-  EXPECT_EQ(output->GetPointData()->GetArray("GeodesicDistance")->GetComponent(49, 0), 0.0);
+  EXPECT_TRUE(std::isnan(output->GetPointData()->GetArray("GeodesicDistance")->GetComponent(49, 0)));
   EXPECT_LE((Tuple(output->GetCellData(), "TransportedVectors", 35) - Vector3::UnitX()).norm(), 1e-8);
 }
 

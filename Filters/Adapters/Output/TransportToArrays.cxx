@@ -1,5 +1,6 @@
 #include "Adapters/Output/TransportToArrays.h"
 
+#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Support/Errors.h"
@@ -10,6 +11,7 @@
 #include "vtkPointData.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dmg
@@ -114,9 +116,11 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   const FramedMesh& on = *this->Geometry;
   const dmg::LogarithmicMap map =
     this->Transport->Map(from.Vertex, on.Vertices.ToComplex(from.Vertex, from.Direction), context);
-  const ArraysOfPoints arrays(this->Relation, input, output->GetPointData(), context);
+  const ArraysOfPoints arrays(
+    this->Relation, input, output->GetPointData(), context, std::numeric_limits<double>::quiet_NaN());
   const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
-  const double size = textureSize > 0.0 ? textureSize : 2.0 * map.Distances.maxCoeff();
+  const double size =
+    textureSize > 0.0 ? textureSize : 2.0 * map.Distances.array().isNaN().select(0.0, map.Distances).maxCoeff();
   const Vector<double> inTexture =
     0.5 + Eigen::Map<const Vector<double>>(coordinates, 2 * map.Coordinates.size()).array() / size;
   const Vector<double> degrees = map.Angles * (180.0 / Pi);
@@ -124,6 +128,10 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   arrays.Add(GeodesicAngle, 1, degrees.data());
   arrays.Add(ArrayNames::LogarithmicMap, 2, coordinates);
   arrays.Add(TextureCoordinates, 2, inTexture.data());
+  for (const char* const name : { GeodesicDistance, GeodesicAngle, ArrayNames::LogarithmicMap, TextureCoordinates })
+  {
+    AllowNaN(output->GetPointData()->GetArray(name)); // where no path leads
+  }
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
   const auto point = NewArray(MapPoint, 1, 1);

@@ -7,6 +7,8 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -20,13 +22,25 @@ namespace dmg
 namespace
 {
 
+vtkInformationIntegerKey* KeyOfNaN()
+{
+  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("NAN_IS_NOTHING", "dmgFiniteArrays");
+  return key;
+}
+
 void CheckNumbers(vtkAbstractArray* array, const std::string& name)
 {
   auto* const numbers = vtkDoubleArray::SafeDownCast(array);
   const double* const first = numbers ? numbers->GetPointer(0) : nullptr;
-  if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), [](double x) { return std::isfinite(x); }))
+  const bool allowsNaN = numbers && numbers->HasInformation() && numbers->GetInformation()->Has(KeyOfNaN());
+  const auto isRight = [allowsNaN](double x) { return std::isfinite(x) || (allowsNaN && std::isnan(x)); };
+  if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), isRight))
   {
     throw UnexpectedFailure(name + " would not be finite");
+  }
+  if (allowsNaN)
+  {
+    numbers->GetInformation()->Remove(KeyOfNaN());
   }
 }
 
@@ -55,6 +69,14 @@ void CheckArrays(vtkFieldData* output, vtkFieldData* input)
   }
 }
 
+}
+
+void AllowNaN(vtkAbstractArray* array)
+{
+  if (array)
+  {
+    array->GetInformation()->Set(KeyOfNaN(), 1);
+  }
 }
 
 void CheckArraysAreFinite(vtkDataObject* output, vtkDataSet* input)

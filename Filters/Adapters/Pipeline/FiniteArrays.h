@@ -1,6 +1,7 @@
 #ifndef dmgFiniteArrays_h
 #define dmgFiniteArrays_h
 
+class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
 
@@ -9,9 +10,13 @@ namespace dmg
 
 /// \param output of any type; of a composite dataset all leaves are looked at.
 /// \param input whose points and arrays may be part of the output, and are not looked at.
-/// \throw SolverFailure a point or a number in an array of doubles is not finite; the message names the array.
+/// \throw SolverFailure a point or a number in an array of doubles is not finite, but for NaN where it is allowed; the message names the
+///   array.
 /// Cost: linear.
 void CheckArraysAreFinite(vtkDataObject* output, vtkDataSet* input);
+
+/// Says of a new array that NaN stands in it where there is nothing, until it has been checked. Null is passed over.
+void AllowNaN(vtkAbstractArray* array);
 
 }
 

@@ -27,14 +27,15 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
-/// Arrays with a tuple for each cell or point of the surface; zeros where these are no elements of the mesh.
+/// Arrays with a tuple for each cell or point of the surface; where these are no elements of the mesh, zero or another number.
 class ArraysOfElements
 {
 protected:
-  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context)
+  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context, double elsewhere)
     : Data(data)
     , Tuples(static_cast<int>(tuples)) // MeshFromDataSet has seen to it
     , Context(context)
+    , Elsewhere(elsewhere)
   {
   }
 
@@ -58,7 +59,7 @@ protected:
   /// Vectors of a field in frames.
   Points InSpace(const TangentFrames& frames, const Vector<Complex>& field) const;
 
-  /// Calls write(tuple, row of its elements), and fills tuples without elements with zeros. Arrays are written from one
+  /// Calls write(tuple, row of its elements), and fills tuples without elements. Arrays are written from one
   /// end to the other: the arrays that they are made from are smaller.
   template <class RowOf, class Write>
   void ForTuples(const std::vector<double*>& arrays, int components, const RowOf& rowOf, const Write& write) const
@@ -76,7 +77,7 @@ protected:
           }
           for (double* const array : arrays)
           {
-            std::fill_n(array + static_cast<vtkIdType>(components) * tuple, components, 0.0);
+            std::fill_n(array + static_cast<vtkIdType>(components) * tuple, components, this->Elsewhere);
           }
         }
       });
@@ -85,6 +86,7 @@ protected:
   vtkFieldData* const Data;
   const int Tuples;
   const ExecutionContext& Context;
+  const double Elsewhere; ///< where there are no elements
 };
 
 /// Arrays of cells. A cell of several faces has the mean of theirs, by area.
@@ -92,8 +94,8 @@ class ArraysOfCells : public ArraysOfElements
 {
 public:
   ArraysOfCells(const TriangleMesh& mesh, const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data,
-    const ExecutionContext& context)
-    : ArraysOfElements(data, input->GetNumberOfCells(), context)
+    const ExecutionContext& context, double elsewhere = 0.0)
+    : ArraysOfElements(data, input->GetNumberOfCells(), context, elsewhere)
     , Mesh(mesh)
     , Surface(surface)
   {
@@ -140,8 +142,9 @@ private:
 class ArraysOfPoints : public ArraysOfElements
 {
 public:
-  ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context)
-    : ArraysOfElements(data, input->GetNumberOfPoints(), context)
+  ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context,
+    double elsewhere = 0.0)
+    : ArraysOfElements(data, input->GetNumberOfPoints(), context, elsewhere)
     , Surface(surface)
   {
   }

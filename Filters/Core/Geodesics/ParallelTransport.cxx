@@ -3,6 +3,7 @@
 #include "Geodesics/DiffusionOperators.h"
 #include "Geodesics/EdgeDistances.h"
 #include "Geodesics/IntrinsicTriangulation.h"
+#include "Geodesics/ShortestPaths.h"
 #include "Mesh/VertexConnection.h"
 #include "Operators/FunctionSource.h"
 #include "Solvers/Direct/CholeskySolver.h"
@@ -31,9 +32,6 @@ constexpr double LargestDecay = 300.0;
 
 /// The heat below which numbers have lost digits: the smallest normal double is 2e-308.
 constexpr double SmallestHeat = 1e-290;
-
-/// The part of all points whose distances may need a large correction before a warning says so.
-constexpr double MostCorrected = 0.01;
 
 constexpr int Grain = 4096;
 
@@ -70,32 +68,6 @@ Vector<double> TimesOf(const TriangleMesh& mesh, const std::vector<int>& compone
     ofVertices[vertex] = times[components[vertex]];
   }
   return ofVertices;
-}
-
-/// Distances are at least those through space and at most those along edges. On uneven triangles, integrated ones may not be.
-/// \return of how many the correction was large, more than 2 % of the largest distance.
-int KeepWithinBounds(const TriangleMesh& mesh, int from, Vector<double>& distances)
-{
-  constexpr double Large = 0.02;
-  const Vector<double> alongEdges = DistancesAlongEdges(mesh, { from });
-  double largest = 0.0;
-  for (const double distance : alongEdges)
-  {
-    largest = std::isfinite(distance) ? std::max(largest, distance) : largest;
-  }
-  int large = 0;
-  for (int vertex = 0; vertex < distances.size(); ++vertex)
-  {
-    if (!std::isfinite(alongEdges[vertex]))
-    {
-      continue; // on another component
-    }
-    const double straight = (mesh.Position(vertex) - mesh.Position(from)).norm();
-    const double kept = std::min(std::max(distances[vertex], straight), alongEdges[vertex]);
-    large += std::abs(kept - distances[vertex]) > Large * largest ? 1 : 0;
-    distances[vertex] = kept;
-  }
-  return large;
 }
 
 /// \throw InvalidInput always: it names the point that is farthest from the others.
@@ -143,6 +115,11 @@ std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matri
   }
 }
 
+double LargestFinite(const Vector<double>& lengths)
+{
+  return lengths.array().isFinite().select(lengths, 0.0).maxCoeff();
+}
+
 Complex UnitOf(Complex z)
 {
   const double length = std::abs(z);
@@ -165,21 +142,18 @@ public:
   };
   Heat HeatOf(const Constraints& sources) const;
   Vector<Complex> VectorsOnFaces(const Vector<Complex>& atVertices, const ExecutionContext& context) const;
-  std::vector<std::string> WarningsOf(const std::vector<char>& hasSource, const Vector<double>& heat,
-    const std::string& given, const std::string& result) const;
-  void MakeFactorOfDistances();
-  /// Distances from a vertex.
-  /// \param positions where each vertex sees it.
-  Vector<double> Distances(int vertex, const Vector<Complex>& positions);
+  std::vector<std::string> WarningsOf(const std::vector<char>& hasSource, const Vector<double>& heat) const;
+  /// The directions in which straight paths from a vertex to all others start, against a unit vector there; zero where no heat arrives.
+  Vector<Complex> StraightDirections(int vertex, Complex unit, const ExecutionContext& context);
 
   const FramedMesh& Surface;
   const std::vector<int> Components; ///< of vertices
   const VertexConnection Connection;
   const IntrinsicTriangulation Delaunay;
   const Vector<double> Times;
+  const double TimeStep;
   std::unique_ptr<CholeskySolver<double>> OfFunctions;
   std::unique_ptr<CholeskySolver<Complex>> OfVectors;
-  std::unique_ptr<CholeskySolver<double>> OfDistances;
   StageCounts Counts;
 };
 
@@ -205,6 +179,7 @@ ParallelTransport::Internals::Internals(
   , Connection(surface, context)
   , Delaunay(surface, this->Connection, context)
   , Times(TimesOf(surface.Mesh, this->Components, Checked(options.TimeStep)))
+  , TimeStep(options.TimeStep)
 {
 }
 
@@ -281,8 +256,8 @@ Vector<Complex> ParallelTransport::Internals::VectorsOnFaces(
   return vectors;
 }
 
-std::vector<std::string> ParallelTransport::Internals::WarningsOf(const std::vector<char>& hasSource,
-  const Vector<double>& heat, const std::string& given, const std::string& result) const
+std::vector<std::string> ParallelTransport::Internals::WarningsOf(
+  const std::vector<char>& hasSource, const Vector<double>& heat) const
 {
   int withoutSource = 0;
   int tooFar = 0;
@@ -296,58 +271,36 @@ std::vector<std::string> ParallelTransport::Internals::WarningsOf(const std::vec
   if (withoutSource > 0)
   {
     warnings.push_back(std::to_string(withoutSource) + " of " + std::to_string(heat.size()) +
-      " points are on components without " + given + "; " + result + " is zero there.");
+      " points are on components without a direction; the field is zero there.");
   }
   if (tooFar > 0)
   {
     warnings.push_back(std::to_string(tooFar) + " of " + std::to_string(heat.size()) +
-      " points are too far away for the diffusion; " + result + " is zero there. Raise the time step.");
+      " points are too far away for the diffusion; the field is zero there. Raise the time step.");
   }
   return warnings;
 }
 
-void ParallelTransport::Internals::MakeFactorOfDistances()
+Vector<Complex> ParallelTransport::Internals::StraightDirections(
+  int vertex, Complex unit, const ExecutionContext& context)
 {
-  if (this->OfDistances)
+  this->MakeFactors(context);
+  const int size = static_cast<int>(this->Times.size());
+  Vector<double> one = Vector<double>::Zero(size);
+  one[vertex] = 1.0;
+  Vector<Complex> first = Vector<Complex>::Zero(size);
+  first[vertex] = unit;
+  Vector<double> heat;
+  Vector<Complex> reference, positions;
+  this->OfFunctions->Solve(one, heat);
+  this->OfVectors->Solve(first, reference);
+  this->OfVectors->Solve(SourceOfPositions(this->Delaunay, heat), positions);
+  for (int other = 0; other < size; ++other)
   {
-    return;
+    positions[other] = heat[other] > SmallestHeat ? positions[other] / heat[other] : Complex(0.0);
+    positions[other] = -UnitOf(positions[other]) * std::conj(UnitOf(reference[other]));
   }
-  const Vector<double> forever = Vector<double>::Constant(this->Times.size(), std::numeric_limits<double>::infinity());
-  SparseMatrix<double> laplacian = DiffusionOfFunctions(this->Delaunay, forever);
-  // Sources sum to zero, so that a function that is held at one vertex of each component is zero there.
-  for (const int vertex : FarthestVertices(Vector<double>::Zero(this->Times.size()), this->Components))
-  {
-    laplacian.coeffRef(vertex, vertex) += 1.0;
-  }
-  this->OfDistances = Factor(laplacian, this->Surface.Mesh);
-}
-
-Vector<double> ParallelTransport::Internals::Distances(int vertex, const Vector<Complex>& positions)
-{
-  this->MakeFactorOfDistances();
-  // The distance of the head of an edge less that of its tail, as the maps at both give it; exact in the plane.
-  Vector<double> source = Vector<double>::Zero(positions.size());
-  VisitEdges(this->Delaunay,
-    [&](int h)
-    {
-      const Complex tail = positions[this->Delaunay.Tail(h)];
-      const Complex head = positions[this->Delaunay.Head(h)];
-      const Complex fromTail = std::polar(this->Delaunay.Length(h), this->Delaunay.Direction(h));
-      const Complex fromHead = -std::polar(this->Delaunay.Length(h), this->Delaunay.Arrival(h));
-      const double flux = 0.5 * this->Delaunay.Weight(h) *
-        (std::abs(tail - fromTail) - std::abs(tail) + std::abs(head) - std::abs(head - fromHead));
-      source[this->Delaunay.Head(h)] += flux;
-      source[this->Delaunay.Tail(h)] -= flux;
-    });
-  Vector<double> distances;
-  this->OfDistances->Solve(source, distances);
-  const double zero = distances[vertex];
-  for (int other = 0; other < distances.size(); ++other)
-  {
-    const bool isReached = this->Components[other] == this->Components[vertex];
-    distances[other] = isReached ? std::max(distances[other] - zero, 0.0) : 0.0;
-  }
-  return distances;
+  return positions;
 }
 
 ParallelTransport::ParallelTransport(
@@ -383,7 +336,7 @@ TransportedField ParallelTransport::Carry(const Constraints& sources, const Exec
     hasSource[of.Components[vertex]] |= sourcesOfHeat.LengthsAndOnes(vertex, 1) > 0.0 ? 1 : 0;
   }
   TransportedField field;
-  field.Warnings = of.WarningsOf(hasSource, heat.col(1), "a direction", "the field");
+  field.Warnings = of.WarningsOf(hasSource, heat.col(1));
   field.AtVertices.resize(heat.rows());
   for (int vertex = 0; vertex < heat.rows(); ++vertex)
   {
@@ -405,46 +358,37 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   {
     throw InvalidInput("the direction of the angle 0 is zero or not finite; give one in the tangent plane");
   }
-  of.MakeFactors(PartOfContext(context, 0.0, 0.6));
-  Vector<double> one = Vector<double>::Zero(size);
-  one[vertex] = 1.0;
-  Vector<Complex> unit = Vector<Complex>::Zero(size);
-  unit[vertex] = direction / length;
-  Vector<double> heat;
-  Vector<Complex> reference, positions;
-  of.OfFunctions->Solve(one, heat);
-  of.OfVectors->Solve(unit, reference);
-  of.OfVectors->Solve(SourceOfPositions(of.Delaunay, heat), positions);
-  context.Checkpoint(0.7);
+  const Vector<Complex> straight = of.StraightDirections(vertex, direction / length, PartOfContext(context, 0.0, 0.7));
+  const ShortestPaths paths = FindShortestPaths(of.Delaunay, vertex, PartOfContext(context, 0.7, 1.0));
+  constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+  LogarithmicMap map{ Vector<Complex>::Constant(size, Complex(Nothing, Nothing)),
+    Vector<double>::Constant(size, Nothing), Vector<double>::Constant(size, Nothing), {} };
+  const TriangleMesh& mesh = of.Surface.Mesh;
+  // Directions of heat are those of straight paths. Where those of the wavefront differ by more than its error, paths bend around a hole.
+  constexpr double LargestError = 4.0; // of a wavefront, in edges
+  const double edge = std::sqrt(of.Times[vertex] / of.TimeStep);
+  const double largestDifference = LargestError * edge / LargestFinite(paths.Lengths);
+  int notReached = 0;
   for (int other = 0; other < size; ++other)
   {
-    positions[other] = heat[other] > SmallestHeat ? positions[other] / heat[other] : Complex(0.0);
-  }
-
-  LogarithmicMap map;
-  std::vector<char> hasSource(of.Components.size(), 0); // by component
-  hasSource[of.Components[vertex]] = 1;
-  map.Warnings = of.WarningsOf(hasSource, heat, "the point of the logarithmic map", "the map");
-  map.Distances = of.Distances(vertex, positions);
-  const int corrected = KeepWithinBounds(of.Surface.Mesh, vertex, map.Distances);
-  if (corrected > MostCorrected * size)
-  {
-    map.Warnings.push_back("Distances of " + std::to_string(corrected) + " of " + std::to_string(size) +
-      " points were off by more than 2 % of the largest and are corrected; angles there may be off, too. The triangles "
-      "are too "
-      "coarse or uneven for this surface: refine or remesh it.");
-  }
-  map.Distances[vertex] = 0.0;
-  map.Angles.setZero(size);
-  map.Coordinates.setZero(size);
-  for (int other = 0; other < size; ++other)
-  {
-    const Complex turned = -UnitOf(positions[other]) * std::conj(UnitOf(reference[other]));
-    if (other != vertex && turned != 0.0)
+    if (!std::isfinite(paths.Lengths[other]))
     {
-      map.Angles[other] = std::arg(turned);
-      map.Coordinates[other] = std::polar(map.Distances[other], map.Angles[other]);
+      ++notReached;
+      continue;
     }
+    // A wavefront is off by some of an edge, and no path is shorter than the way through space.
+    const double throughSpace = (mesh.Position(other) - mesh.Position(vertex)).norm();
+    map.Distances[other] = std::max(paths.Lengths[other], throughSpace);
+    const double turned = std::remainder(paths.Directions[other] - std::arg(direction), 2.0 * Pi);
+    const double difference = std::abs(std::remainder(turned - std::arg(straight[other]), 2.0 * Pi));
+    const bool isStraight = straight[other] != 0.0 && difference <= largestDifference;
+    map.Angles[other] = other == vertex ? 0.0 : isStraight ? std::arg(straight[other]) : turned;
+    map.Coordinates[other] = std::polar(map.Distances[other], map.Angles[other]);
+  }
+  if (notReached > 0)
+  {
+    map.Warnings.push_back(std::to_string(notReached) + " of " + std::to_string(size) +
+      " points are on components without the point of the logarithmic map; the map is NaN there.");
   }
   ++of.Counts.Solves;
   context.Checkpoint(1.0);
@@ -459,8 +403,7 @@ const Vector<double>& ParallelTransport::Times() const
 long long ParallelTransport::Bytes() const
 {
   const Internals& of = *this->Internal;
-  return (of.OfFunctions ? of.OfFunctions->Bytes() : 0) + (of.OfVectors ? of.OfVectors->Bytes() : 0) +
-    (of.OfDistances ? of.OfDistances->Bytes() : 0);
+  return (of.OfFunctions ? of.OfFunctions->Bytes() : 0) + (of.OfVectors ? of.OfVectors->Bytes() : 0);
 }
 
 ParallelTransport::StageCounts ParallelTransport::Counts() const

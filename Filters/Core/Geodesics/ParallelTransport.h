@@ -30,18 +30,17 @@ struct TransportedField
 };
 
 /// The logarithmic map of a vertex: its value at p is the vector at the vertex with the direction in which the shortest
-/// path to p starts, and its length. Zero on other components.
+/// path to p starts, and its length. Paths go around holes. NaN on other components.
 struct LogarithmicMap
 {
   /// #V, in the frame whose first axis is the direction that was asked for; moduli are Distances, arguments Angles.
   Vector<Complex> Coordinates;
-  Vector<double> Distances;          ///< along the surface, >= 0
-  Vector<double> Angles;             ///< in radians, from -pi to pi, counter-clockwise seen from outside
+  Vector<double> Distances; ///< along the surface, >= 0
+  Vector<double> Angles;    ///< in radians, from -pi to pi, counter-clockwise seen from the positive side of the mesh
   std::vector<std::string> Warnings; ///< one sentence each
 };
 
-/// Carries tangent vectors from a few places to everywhere along shortest paths, and finds logarithmic maps, by short
-/// diffusion. ParallelTransport.md has the formulas.
+/// Carries tangent vectors from a few places to everywhere along shortest paths, by short diffusion, and finds logarithmic maps. ParallelTransport.md has the formulas.
 ///
 ///   dmg::ParallelTransport transport(surface);
 ///   const dmg::TransportedField field = transport.Carry(sources);
@@ -49,9 +48,9 @@ struct LogarithmicMap
 ///
 /// The matrices are those of the intrinsic Delaunay triangulation, so bad triangles do no harm. They are factored: far from a
 /// source heat is e^-300 of that at the source, and only a factor has digits there. Vector heat method: Sharp, Soliman
-/// and Crane 2019. Logarithmic map: affine heat method, Soliman and Sharp 2025.
-/// Cost: a real and a complex sparse factor of #V unknowns at the first call, and another real one at the first map; after that, two
-/// solves for each field, and four for a map.
+/// and Crane 2019. Logarithmic map: distances by FindShortestPaths, angles by the affine heat method, Soliman and Sharp 2025, where paths do
+/// not bend around a hole.
+/// Cost: a real and a complex sparse factor of #V unknowns at the first call; after that, two solves for each field, and three for a map.
 class ParallelTransport
 {
 public:
@@ -73,7 +72,6 @@ public:
 
   /// \param direction of the angle 0, in the frame of the vertex; its length does not count.
   /// \throw InvalidInput there is no such vertex; the direction is zero or not finite.
-  /// \throw SolverFailure memory ran out.
   /// \throw Cancelled
   LogarithmicMap Map(int vertex, Complex direction, const ExecutionContext& context = SerialContext());
 
