@@ -92,6 +92,11 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
         field.AreSingularitiesOnFaces = true;
         field.Rotation = RotationAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
         field.Indices = IndicesOfFaces(mesh, *connection, field.Rotation, N, context);
+        for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+        {
+          field.Rotation[edge] *=
+            mesh.EdgeSign(mesh.HalfedgeOf(edge)); // on the boundary an edge may have the other halfedge alone
+        }
         return;
       }
       field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
