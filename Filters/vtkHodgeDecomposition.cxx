@@ -6,8 +6,10 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/FlatMap.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Flows/PeriodicSurfaces.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -20,6 +22,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHodgeDecomposition);
 
@@ -28,6 +33,13 @@ class vtkHodgeDecomposition::vtkInternals
 public:
   dmg::FlowSurface Surface;
 };
+
+namespace
+{
+
+constexpr double DefaultAxis[3] = { 0.0, 0.0, 1.0 }; // of maps
+
+}
 
 //------------------------------------------------------------------------------
 vtkHodgeDecomposition::vtkHodgeDecomposition()
@@ -84,11 +96,11 @@ int vtkHodgeDecomposition::RequestData(
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges(
-      { { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
-        { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
-        { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
-        { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
+    dmg::CheckRanges({ { "Coordinates", this->Coordinates, Space, LongitudeAndLatitude },
+      { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
+      { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
+      { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
+      { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
     dmg::SolverOptions options;
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
@@ -96,24 +108,54 @@ int vtkHodgeDecomposition::RequestData(
     const int timeSteps = whole[0]->GetInformationObject(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
     options.ExpectedSolves = std::max(this->ExpectedSolves, 2 * timeSteps);
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
+    const bool isMap = this->Coordinates == LongitudeAndLatitude;
+    const vtkSmartPointer<vtkDataSet> inSpace = isMap ? dmg::GlobeOfMap(input) : input;
+    vtkDataSet* const edges = whole[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(whole[1]) : nullptr;
+    std::optional<dmg::ChosenFlow> chosen;
+    if (!edges)
+    {
+      chosen.emplace(this, inSpace, dmg::Vector3(isMap ? DefaultAxis : this->Axis), isMap);
+    }
+    const vtkSmartPointer<vtkDataSet> withFlow = chosen ? chosen->WithFlow(inSpace) : inSpace;
+    const bool isGlobe = isMap || (chosen && chosen->IsOnGlobe());
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& surface = this->Internals->Surface;
-    surface.SetSurface(input, preparation,
+    surface.SetSurface(withFlow, preparation,
       this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
       dmg::PartOfContext(context, 0.0, 0.1));
-    vtkDataSet* const edges = whole[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(whole[1]) : nullptr;
-    const dmg::FaceFlow flow = edges
-      ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, surface.Surface(), context)
-      : dmg::FlowFromArrays(this, input, surface.Surface(), dmg::Vector3(this->Axis), context);
+    const dmg::FaceFlow flow = chosen ? chosen->On(surface.Surface(), dmg::PartOfContext(context, 0.05, 0.1))
+                                      : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },
+                                          input, surface.Surface(), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
       this->LengthScale, this->NumberOfContours, this->Lift };
     dmg::WarnOfPreparation(this, surface.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
-    for (const std::string& warning : surface.Decompose(
-           flow, wanted, input, output, vtkPolyData::GetData(outputVector, 1), dmg::PartOfContext(context, 0.1, 1.0)))
+    vtkPolyData* const streamlines = vtkPolyData::GetData(outputVector, 1);
+    std::vector<std::string> warnings =
+      surface.Decompose(flow, wanted, withFlow, output, streamlines, dmg::PartOfContext(context, 0.1, 1.0));
+    const dmg::TriangleMesh& mesh = surface.Surface().Geometry.Mesh;
+    warnings.push_back(dmg::WarningOfFoldedBox(mesh));
+    if (isGlobe)
     {
-      vtkWarningMacro(<< dmg::InPanelWords(warning));
+      warnings.push_back(dmg::WarningOfSlit(mesh, dmg::Vector3(isMap ? DefaultAxis : this->Axis)));
+    }
+    if (isMap)
+    {
+      dmg::TurnToMap(input, output, dmg::NamesOfParts());
+      dmg::TakeLinesToMap(input, streamlines);
+    }
+    if (chosen)
+    {
+      chosen->MarkCellsWithoutFlow(output, surface.Surface().Relation, dmg::NamesOfFlowArrays());
+      warnings.push_back(chosen->Warning());
+    }
+    for (const std::string& warning : warnings)
+    {
+      if (!warning.empty())
+      {
+        vtkWarningMacro(<< dmg::InPanelWords(warning));
+      }
     }
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
@@ -135,6 +177,7 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
   os << indent << "Lift: " << this->Lift << "\n";
   os << indent << "LengthScale: " << this->LengthScale << "\n";
+  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";

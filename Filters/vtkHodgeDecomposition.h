@@ -15,7 +15,11 @@
  *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of vectors at its
  *   corners.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
- *   north. They count where index 1 is chosen, instead of vectors.
+ *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
+ *   the neighbours.
+ *
+ * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
+ * that can only be fill values, infinite or 1e8 times the median, are an error. Vectors of a cell stand at the mean of its corners.
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the
@@ -55,6 +59,7 @@
  * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
+ * | CellsWithoutFlow                            | 1          | cells that took no part                                              |
  * | Solver, Converged, SolverBytes              | 1          | see Filters/HarmonicFieldSolver.md                                   |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
@@ -113,6 +118,23 @@ public:
   vtkGetMacro(EdgeValues, int);
   ///@}
 
+  enum CoordinateKinds
+  {
+    /** The points are places in space. */
+    Space = 0,
+    /** The surface is a flat map: x is the longitude and y the latitude, in degrees. The flow is decomposed on the unit sphere. */
+    LongitudeAndLatitude = 1
+  };
+
+  ///@{
+  /**
+   * What the coordinates of the points are. On a map, vectors in and out are (eastward, northward, upward), and Axis does not count. Default
+   * Space.
+   */
+  vtkSetMacro(Coordinates, int);
+  vtkGetMacro(Coordinates, int);
+  ///@}
+
   enum BoundaryKinds
   {
     /** Coasts: nothing flows through. The stream function is constant on each, and zero on the longest of a component. */
@@ -158,8 +180,8 @@ public:
 
   ///@{
   /**
-   * Whether Divergence and Vorticity are computed, which takes no solve. At a point of the boundary they are the means of the inner
-   * points beside it. Default on.
+   * Whether Divergence and Vorticity are computed, which takes no solve: those of the linear flow nearest to the data around a point. Default
+   * on.
    */
   vtkSetMacro(Derivatives, bool);
   vtkGetMacro(Derivatives, bool);
@@ -253,6 +275,7 @@ protected:
 private:
   std::string EdgeArray = "OneForm";
   int EdgeValues = Integrals;
+  int Coordinates = Space;
   int Boundary = Closed;
   bool GradientPart = true;
   bool RotationalPart = true;

@@ -21,7 +21,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
                          pyvista.PolyData. It is not changed.
     vectors              the name of an array of vectors at points, else on cells; by default the active vectors of points, else of
                          cells
-    eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north
+    eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north, or
+                         for flat maps with Coordinates="LongitudeAndLatitude"
     edges                the flow as a 1-form instead: a dataset with a line for each edge of the mesh, and a number for each in its
                          cell array OneForm, or that which EdgeArray names; EdgeValues="Components" where these are velocities along
                          the lines and not their integrals
@@ -31,6 +32,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     Returns a mesh of the same class, which has the arrays of the input and GradientPart, RotationalPart, HarmonicPart and Residual on
     cells and at points; Potential, StreamFunction, Divergence and Vorticity at points; in its field data energies and, for each
     boundary, circulation, flux and stream function (see vtkHodgeDecomposition).
+
+    NaN is no flow: such cells take no part, and are NaN in the result.
 
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
     filter refuses; warns with FieldWarning.
@@ -55,6 +58,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
 def _set_known(decomposition: vtkHodgeDecomposition, name: str, value: Any) -> None:
     known = sorted(each[3:] for each in vars(type(decomposition))
                    if each.startswith("Set") and hasattr(decomposition, "Get" + each[3:]))
+    if name in ("u", "v"):
+        raise TypeError(f"there is no property {name}; did you mean {'eastward' if name == 'u' else 'northward'}?")
     if name not in known:
         near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward", "edges"], 1, 0.5)
         raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))

@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Mesh/PositiveSide.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -157,8 +158,7 @@ ChosenArray FindVectors(
 
 std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions)
 {
-  if (vectors->GetNumberOfComponents() != 2 || positions.rows() == 0 ||
-    positions.col(2).maxCoeff() == positions.col(2).minCoeff())
+  if (vectors->GetNumberOfComponents() != 2 || positions.rows() == 0 || HaveConstantZ(positions))
   {
     return "";
   }

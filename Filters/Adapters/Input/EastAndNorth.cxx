@@ -1,5 +1,6 @@
 #include "Adapters/Input/EastAndNorth.h"
 
+#include "Mesh/Globe.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -14,13 +15,8 @@ Vector3 EastAndNorth::At(vtkIdType tuple, const Vector3& place) const
   double components[2]; // GetTuple may be called by several threads, GetComponent of any array may not
   this->Eastward.Array->GetTuple(tuple, components);
   this->Northward.Array->GetTuple(tuple, components + 1);
-  const Vector3 east = this->Axis.cross(place);
-  const double length = east.norm();
-  if (!(length > 0.0) || !(place.norm() > 0.0))
-  {
-    return Vector3::Zero();
-  }
-  return components[0] * east / length + components[1] * place.normalized().cross(east / length);
+  const GlobeDirections at = DirectionsOnGlobe(this->Axis, place);
+  return components[0] * at.East + components[1] * at.North;
 }
 
 Vector3 UnitAxis(const Vector3& axis, const std::string& another)

@@ -150,6 +150,7 @@ public:
   /// \throw InvalidInput an edge has no value.
   const Vector<double>& Complete()
   {
+    this->IsGiven = this->IsKnown;
     if (const int edge = FillDiagonals(this->Mesh, this->Relation, this->Form, this->IsKnown); edge >= 0)
     {
       const auto [a, b] = this->Mesh.EdgeVertices(edge);
@@ -160,12 +161,16 @@ public:
     return this->Form;
   }
 
+  /// Whether each edge has the value of a line, as it is no diagonal.
+  const std::vector<char>& Given() const { return this->IsGiven; }
+
   const TriangleMesh& Mesh;
   const SurfaceRelation& Relation;
 
 private:
   Vector<double> Form;
   std::vector<char> IsKnown;
+  std::vector<char> IsGiven;
 };
 
 std::string NameOfLine(vtkIdType line)
@@ -225,7 +230,11 @@ FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* 
         }
       });
   }
-  return { FlowOfForm(surface.Geometry, form.Complete(), context), {} };
+  const Vector<double> integrals = form.Complete();
+  FaceFlow flow{ FlowOfForm(surface.Geometry, integrals, context), {}, {} };
+  flow.Derivatives = [surface, integrals, isGiven = form.Given()](const ExecutionContext& loops)
+  { return DerivativesOfForm(surface.Geometry, surface.Relation, integrals, isGiven, loops); };
+  return flow;
 }
 
 }

@@ -148,11 +148,10 @@ void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const
 /// Takes away what a former decomposition has left, and this one may not make.
 void RemoveFlowArrays(vtkDataSet* surface)
 {
-  for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, NormalComponent, Potential,
-         StreamFunction, Divergence, Vorticity })
+  for (const std::string& name : NamesOfFlowArrays())
   {
-    surface->GetCellData()->RemoveArray(name);
-    surface->GetPointData()->RemoveArray(name);
+    surface->GetCellData()->RemoveArray(name.c_str());
+    surface->GetPointData()->RemoveArray(name.c_str());
   }
 }
 
@@ -207,6 +206,18 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
   arrays.AddNumbers(BoundaryStreamFunction, scale * parts.StreamValues);
 }
 
+}
+
+std::vector<std::string> NamesOfParts()
+{
+  return { GradientPart, RotationalPart, HarmonicPart, Residual };
+}
+
+std::vector<std::string> NamesOfFlowArrays()
+{
+  std::vector<std::string> names = NamesOfParts();
+  names.insert(names.end(), { NormalComponent, Potential, StreamFunction, Divergence, Vorticity });
+  return names;
 }
 
 void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
@@ -276,9 +287,9 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
   if (options.Derivatives)
   {
-    const FlowDerivatives& integrals = parts.Derivatives;
-    arrays.AddFunction(Divergence, DensityAtVertices(on.Mesh, integrals.Divergence, context), 1.0 / scale);
-    arrays.AddFunction(Vorticity, DensityAtVertices(on.Mesh, integrals.Vorticity, context), 1.0 / scale);
+    const DerivativesAtVertices derivatives = flow.Derivatives(context);
+    arrays.AddFunction(Divergence, derivatives.Divergence, 1.0 / scale);
+    arrays.AddFunction(Vorticity, derivatives.Vorticity, 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);

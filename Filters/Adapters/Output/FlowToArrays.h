@@ -28,6 +28,11 @@ struct FlowOptions
   double Lift = 0.0;        ///< of these lines off the surface, relative to the diagonal of its bounding box
 };
 
+/// The arrays of vectors among those that FlowSurface adds.
+std::vector<std::string> NamesOfParts();
+/// All arrays of cells and points that FlowSurface adds.
+std::vector<std::string> NamesOfFlowArrays();
+
 /// A HodgeDecomposition for the surface of a dataset, and the arrays that show its parts; kept for the next flow on the same surface. Keys
 /// are contents, not modification times.
 class FlowSurface

@@ -47,6 +47,7 @@ inline constexpr const char* MapPoint = "MapPoint";
 inline constexpr const char* FlowEnergies = "FlowEnergies";
 inline constexpr const char* FlowShares = "FlowShares";
 inline constexpr const char* HarmonicCoefficients = "HarmonicCoefficients";
+inline constexpr const char* CellsWithoutFlow = "CellsWithoutFlow";
 inline constexpr const char* BoundaryPoint = "BoundaryPoint";
 inline constexpr const char* BoundaryLength = "BoundaryLength";
 inline constexpr const char* BoundaryCirculation = "BoundaryCirculation";
@@ -73,6 +74,7 @@ inline constexpr const char* Error = "Error";
 // field data: the surface on its way in
 inline constexpr const char* SurfacePreparation = "SurfacePreparation";
 inline constexpr const char* SurfaceOptions = "SurfaceOptions";
+inline constexpr const char* PositiveSide = "PositiveSide";
 
 // field data: the report
 inline constexpr const char* NumberOfDirections = "NumberOfDirections";

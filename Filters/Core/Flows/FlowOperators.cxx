@@ -78,38 +78,6 @@ FlowDerivatives IntegratedDerivatives(
   return derivatives;
 }
 
-Vector<double> DensityAtVertices(
-  const TriangleMesh& mesh, const Vector<double>& integrals, const ExecutionContext& context)
-{
-  Vector<double> density = Vector<double>::Zero(mesh.NumberOfVertices());
-  ForAll(mesh.NumberOfVertices(), context,
-    [&](int vertex)
-    {
-      double area = 0.0;
-      mesh.VisitFan(vertex, [&](int h) { area += mesh.FaceArea(TriangleMesh::FaceOf(h)) / 3.0; });
-      density[vertex] = area > 0.0 && !mesh.IsBoundaryVertex(vertex) ? integrals[vertex] / area : 0.0;
-    });
-  ForAll(mesh.NumberOfVertices(), context,
-    [&](int vertex)
-    {
-      if (!mesh.IsBoundaryVertex(vertex))
-      {
-        return;
-      }
-      double sum = 0.0;
-      int number = 0;
-      mesh.VisitFan(vertex,
-        [&](int h)
-        {
-          const int neighbour = mesh.Head(h);
-          sum += mesh.IsBoundaryVertex(neighbour) ? 0.0 : density[neighbour];
-          number += mesh.IsBoundaryVertex(neighbour) ? 0 : 1;
-        });
-      density[vertex] = number > 0 ? sum / number : 0.0;
-    });
-  return density;
-}
-
 double FlowProduct(const Vector<double>& areas, const Vector<Complex>& X, const Vector<Complex>& Y)
 {
   double sum = 0.0;

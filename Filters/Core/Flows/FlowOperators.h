@@ -32,11 +32,6 @@ struct FlowDerivatives
 FlowDerivatives IntegratedDerivatives(
   const FramedMesh& surface, const Vector<Complex>& X, const ExecutionContext& context = SerialContext());
 
-/// Integrals around vertices divided by a third of the area of the faces around, #V. A boundary vertex has the mean of its
-/// inner neighbours, as its own integral holds what crosses or follows the boundary, and zero where it has none.
-Vector<double> DensityAtVertices(
-  const TriangleMesh& mesh, const Vector<double>& integrals, const ExecutionContext& context = SerialContext());
-
 /// The integral of <X, Y> over the surface.
 double FlowProduct(const Vector<double>& areas, const Vector<Complex>& X, const Vector<Complex>& Y);
 

@@ -32,7 +32,7 @@ struct DecomposedFlow
   Vector<double> Potential;      ///< u, at vertices: a mean of zero on each component where no boundary fixes it
   Vector<double> StreamFunction; ///< psi, the same
   Vector<double> Coefficients;   ///< of the harmonic basis
-  FlowDerivatives Derivatives;   ///< of the flow; DensityAtVertices makes densities of them
+  FlowDerivatives Derivatives;   ///< of the flow, integrated; FittedDerivatives.h has densities
 
   // Squared magnitudes, integrated; zero for parts that were not computed.
   double Energy = 0.0; ///< of the flow

@@ -1,11 +1,19 @@
 #include "Mesh/SurfaceRelation.h"
 
 #include "Support/CountingSort.h"
+#include "Support/Permutations.h"
 
 #include <algorithm>
 
 namespace dmg
 {
+
+SurfaceRelation SurfaceRelation::OneToOne(const TriangleMesh& mesh)
+{
+  const std::vector<int> faces = Identity(mesh.NumberOfFaces());
+  const std::vector<int> vertices = Identity(mesh.NumberOfVertices());
+  return { 0, faces, { {}, faces }, vertices, { {}, vertices } };
+}
 
 void SurfaceRelation::SetEdges(const TriangleMesh& mesh, const ExecutionContext& context)
 {

@@ -38,38 +38,6 @@ TEST(FlowOperators, GradientAndDivergenceAreTheMatrices)
   }
 }
 
-TEST(FlowOperators, DensitiesOfLinearFlowsAreExact)
-{
-  const FramedMesh plane(IrregularPlane(12, 9, 5).Mesh());
-  Vector<Complex> flow(plane.Mesh.NumberOfFaces());
-  for (int face = 0; face < flow.size(); ++face)
-  {
-    Vector3 centre = Vector3::Zero();
-    for (int k = 0; k < 3; ++k)
-    {
-      centre += plane.Mesh.Position(plane.Mesh.FaceCorners()(face, k)) / 3.0;
-    }
-    const double x = centre[0];
-    const double y = centre[1];
-    flow[face] = plane.Faces.ToComplex(face, { 2.0 * x - y, 4.0 * x + 3.0 * y, 0.0 });
-  }
-  const FlowDerivatives derivatives = IntegratedDerivatives(plane, flow);
-  const Vector<double> divergence = DensityAtVertices(plane.Mesh, derivatives.Divergence);
-  const Vector<double> vorticity = DensityAtVertices(plane.Mesh, derivatives.Vorticity);
-  int corners = 0; // no inner vertex is beside them
-  for (int vertex = 0; vertex < divergence.size(); ++vertex)
-  {
-    if (divergence[vertex] == 0.0)
-    {
-      ++corners;
-      continue;
-    }
-    EXPECT_NEAR(divergence[vertex], 5.0, 1e-11);
-    EXPECT_NEAR(vorticity[vertex], 5.0, 1e-11);
-  }
-  EXPECT_LE(corners, 4);
-}
-
 TEST(FlowOperators, DifferencesOfAFunctionAreItsGradient)
 {
   for (const NamedSurface& named : SmallSurfaces())

@@ -2,6 +2,8 @@
 
 #include "Flows/HodgeDecomposition.h"
 
+#include "Flows/FittedDerivatives.h"
+
 #include "Analysis/HarmonicForms.h"
 #include "Flows/FlowOperators.h"
 #include "Operators/FaceFieldOperators.h"
@@ -265,7 +267,13 @@ ErrorsOfWave ErrorsOn(int subdivisions)
   HodgeDecomposition hodge(sphere, FlowBoundary::Closed);
   const DecomposedFlow parts = hodge.Decompose(flow);
   const Vector<double> psi = AtVertices(sphere.Mesh, Wave);
-  const Vector<double> vorticity = DensityAtVertices(sphere.Mesh, parts.Derivatives.Vorticity);
+  Points vectors(flow.size(), 3);
+  for (int face = 0; face < flow.size(); ++face)
+  {
+    vectors.row(face) = sphere.Faces.ToVector(face, flow[face]).transpose();
+  }
+  const Vector<double> vorticity =
+    DerivativesOfCellVectors(sphere, SurfaceRelation::OneToOne(sphere.Mesh), vectors).Vorticity;
   return { RelativeError(parts.StreamFunction, psi), RelativeError(vorticity, -20.0 * psi),
     Norm(sphere, parts.Rotational - flow) / Norm(sphere, flow) };
 }

@@ -1,0 +1,313 @@
+#include "Flows/FittedDerivatives.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmg
+{
+namespace
+{
+
+/// Cells up to so many steps away take part.
+constexpr int MostRings = 3;
+
+/// A linear flow X(q) = X_0 + X_1 q_1 + X_2 q_2 in the plane, from components of it at places. Places are scaled so that the cells around the
+/// vertex spread by 1 in all directions: cells that are long and thin determine a flow as well as others.
+class LinearFit
+{
+public:
+  explicit LinearFit(const Eigen::Matrix2d& scaling)
+    : Scaling(scaling)
+    , Products(Matrix6::Zero())
+    , Values(Vector6::Zero())
+  {
+  }
+
+  /// \param direction a unit vector along which the flow has the value.
+  void Add(Complex place, Complex direction, double value)
+  {
+    const Vector2 q = this->Scaling * Vector2(place.real(), place.imag());
+    const Vector2 d(direction.real(), direction.imag());
+    Vector6 row;
+    row << d, q[0] * d, q[1] * d;
+    this->Products.noalias() += row * row.transpose();
+    this->Values += value * row;
+    ++this->Number;
+  }
+
+  void Add(Complex place, Complex vector)
+  {
+    this->Add(place, 1.0, vector.real());
+    this->Add(place, Complex(0.0, 1.0), vector.imag());
+  }
+
+  /// Finds the flow. \return whether the data determine it.
+  bool Solve()
+  {
+    constexpr double SmallestShare = 1e-3;
+    const Eigen::SelfAdjointEigenSolver<Matrix6> spectrum(this->Products);
+    const Vector6& energies = spectrum.eigenvalues();
+    const double smallest = SmallestShare * std::max(this->Number, 1);
+    Vector6 inBasis = spectrum.eigenvectors().transpose() * this->Values;
+    for (int k = 0; k < 6; ++k)
+    {
+      inBasis[k] = energies[k] > smallest ? inBasis[k] / energies[k] : 0.0; // the least flow, where several are as near
+    }
+    this->Flow = spectrum.eigenvectors() * inBasis;
+    return energies[0] > smallest;
+  }
+
+  /// Its derivatives: column k is that along axis k.
+  Eigen::Matrix2d Derivatives() const
+  {
+    Eigen::Matrix2d alongScaled;
+    alongScaled << this->Flow.segment<2>(2), this->Flow.segment<2>(4);
+    return alongScaled * this->Scaling;
+  }
+
+private:
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+  const Eigen::Matrix2d Scaling;
+  Matrix6 Products;
+  Vector6 Values;
+  Vector6 Flow = Vector6::Zero();
+  int Number = 0;
+};
+
+/// The cells around a vertex, in a map of the surface to the tangent plane there.
+class Neighbourhood
+{
+public:
+  Neighbourhood(const FramedMesh& surface, const SurfaceRelation& relation, int vertex)
+    : Surface(surface)
+    , Relation(relation)
+    , Centre(vertex)
+    , Vertices{ vertex }
+  {
+    this->Grow();
+  }
+
+  /// Adds the cells around all of its vertices.
+  void Grow()
+  {
+    for (const int vertex : this->Vertices)
+    {
+      this->Surface.Mesh.VisitFan(vertex,
+        [this](int h)
+        {
+          const ElementRow faces = this->Relation.FacesOf(this->Relation.CellOf(TriangleMesh::FaceOf(h)));
+          this->Faces.insert(this->Faces.end(), faces.begin(), faces.end());
+        });
+    }
+    MakeUnique(this->Faces);
+    for (const int face : this->Faces)
+    {
+      const auto corners = this->Surface.Mesh.FaceCorners().row(face);
+      this->Vertices.insert(this->Vertices.end(), corners.begin(), corners.end());
+    }
+    MakeUnique(this->Vertices);
+  }
+
+  /// The place of a point of the surface in the tangent plane: in its direction, at its distance through space.
+  Complex Place(const Vector3& point) const
+  {
+    const Vector3 offset = point - this->Surface.Mesh.Position(this->Centre);
+    const Complex tangential = this->Surface.Vertices.ToComplex(this->Centre, offset);
+    const double length = std::abs(tangential);
+    return length > 0.0 ? offset.norm() / length * tangential : Complex(0.0);
+  }
+
+  /// A tangent vector of an element, in the tangent plane.
+  Complex Carried(const TangentFrames& frames, int element, const Vector3& vector) const
+  {
+    return TransportTurn(frames, element, this->Surface.Vertices, this->Centre) * frames.ToComplex(element, vector);
+  }
+
+  /// The scaling of places for which the vertices have the variance 1 in all directions.
+  Eigen::Matrix2d Scaling() const
+  {
+    Eigen::Matrix2d variances = Eigen::Matrix2d::Zero();
+    for (const int vertex : this->Vertices)
+    {
+      const Complex place = this->Place(this->Surface.Mesh.Position(vertex));
+      const Vector2 at(place.real(), place.imag());
+      variances += at * at.transpose() / static_cast<double>(this->Vertices.size());
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(variances);
+    const double largest = axes.eigenvalues()[1];
+    if (!(largest > 0.0))
+    {
+      return Eigen::Matrix2d::Zero();
+    }
+    constexpr double Thinnest = 1e-16; // squared: cells without an area
+    const Vector2 spreads = axes.eigenvalues().cwiseMax(Thinnest * largest).cwiseSqrt();
+    return spreads.cwiseInverse().asDiagonal() * axes.eigenvectors().transpose();
+  }
+
+  const FramedMesh& Surface;
+  const SurfaceRelation& Relation;
+  const int Centre;
+  std::vector<int> Faces; ///< of the cells; sorted
+  std::vector<int> Vertices;
+
+private:
+  static void MakeUnique(std::vector<int>& items)
+  {
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+  }
+};
+
+/// \param addTo adds the data of a neighbourhood to a fit.
+template <class AddTo>
+DerivativesAtVertices Fit(
+  const FramedMesh& surface, const SurfaceRelation& relation, const ExecutionContext& context, const AddTo& addTo)
+{
+  constexpr int Grain = 1024;
+  const int vertices = surface.Mesh.NumberOfVertices();
+  DerivativesAtVertices derivatives{ Vector<double>(vertices), Vector<double>(vertices) };
+  const auto fitAt = [&](int vertex)
+  {
+    Neighbourhood around(surface, relation, vertex);
+    for (int ring = 1;; ++ring)
+    {
+      LinearFit fit(around.Scaling());
+      addTo(around, fit);
+      if (fit.Solve() || ring == MostRings)
+      {
+        const Eigen::Matrix2d of = fit.Derivatives();
+        derivatives.Divergence[vertex] = of.trace();
+        derivatives.Vorticity[vertex] = of(1, 0) - of(0, 1);
+        return;
+      }
+      around.Grow();
+    }
+  };
+  context.ParallelFor(0, vertices, Grain,
+    [&fitAt](int first, int last)
+    {
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        fitAt(vertex);
+      }
+    });
+  return derivatives;
+}
+
+Vector<double> VorticityOfForm(const TriangleMesh& mesh, const Vector<double>& form, const ExecutionContext& context)
+{
+  constexpr int Grain = 8192;
+  Vector<double> vorticity(mesh.NumberOfVertices());
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
+    {
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        double circulation = 0.0, area = 0.0;
+        mesh.VisitFan(vertex,
+          [&](int h)
+          {
+            const int face = TriangleMesh::FaceOf(h);
+            area += mesh.FaceArea(face);
+            for (int side = 3 * face; side < 3 * face + 3; ++side)
+            {
+              circulation += mesh.EdgeSign(side) * form[mesh.EdgeOf(side)];
+            }
+          });
+        vorticity[vertex] = area > 0.0 ? circulation / area : 0.0;
+      }
+    });
+  return vorticity;
+}
+
+}
+
+Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation)
+{
+  Points centres(mesh.NumberOfFaces(), 3);
+  std::vector<int> corners;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    corners.clear();
+    for (const int part : relation.FacesOf(relation.CellOf(face)))
+    {
+      corners.insert(corners.end(), mesh.FaceCorners().row(part).begin(), mesh.FaceCorners().row(part).end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    centres.row(face) = mesh.VertexPositions()(corners, Eigen::all).colwise().mean();
+  }
+  return centres;
+}
+
+DerivativesAtVertices DerivativesOfVertexVectors(
+  const FramedMesh& surface, const SurfaceRelation& relation, const Points& vectors, const ExecutionContext& context)
+{
+  return Fit(surface, relation, context,
+    [&](const Neighbourhood& around, LinearFit& fit)
+    {
+      for (const int vertex : around.Vertices)
+      {
+        fit.Add(around.Place(surface.Mesh.Position(vertex)),
+          around.Carried(surface.Vertices, vertex, vectors.row(vertex).transpose()));
+      }
+    });
+}
+
+DerivativesAtVertices DerivativesOfCellVectors(
+  const FramedMesh& surface, const SurfaceRelation& relation, const Points& vectors, const ExecutionContext& context)
+{
+  const Points centres = CellCentres(surface.Mesh, relation);
+  return Fit(surface, relation, context,
+    [&](const Neighbourhood& around, LinearFit& fit)
+    {
+      for (const int face : around.Faces)
+      {
+        if (relation.FacesOf(relation.CellOf(face)).front() == face) // once for each cell
+        {
+          fit.Add(around.Place(centres.row(face).transpose()),
+            around.Carried(surface.Faces, face, vectors.row(face).transpose()));
+        }
+      }
+    });
+}
+
+DerivativesAtVertices DerivativesOfForm(const FramedMesh& surface, const SurfaceRelation& relation,
+  const Vector<double>& form, const std::vector<char>& isGiven, const ExecutionContext& context)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  DerivativesAtVertices derivatives = Fit(surface, relation, context,
+    [&](const Neighbourhood& around, LinearFit& fit)
+    {
+      for (const int face : around.Faces)
+      {
+        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        {
+          const int edge = mesh.EdgeOf(h);
+          const double length = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm();
+          const int twin = mesh.Twin(h);
+          const bool isSeenTwice = twin >= 0 && twin < h &&
+            std::binary_search(around.Faces.begin(), around.Faces.end(), TriangleMesh::FaceOf(twin));
+          if (!isGiven[edge] || isSeenTwice || !(length > 0.0))
+          {
+            continue;
+          }
+          const Complex tail = around.Place(mesh.Position(mesh.Tail(h)));
+          const Complex head = around.Place(mesh.Position(mesh.Head(h)));
+          const Complex way = head - tail;
+          if (std::abs(way) > 0.0)
+          {
+            fit.Add(0.5 * (tail + head), way / std::abs(way), mesh.EdgeSign(h) * form[edge] / length);
+          }
+        }
+      }
+    });
+  derivatives.Vorticity = VorticityOfForm(mesh, form, context);
+  return derivatives;
+}
+
+}

@@ -1,0 +1,153 @@
+#include "Mesh/PositiveSide.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+/// Whether a range is zero up to rounding in coordinates of single precision.
+constexpr double Rounding = 1e-6;
+
+/// The measures of a component by which its side is found.
+struct Component
+{
+  Vector3 Smallest = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 Largest = -Smallest;
+  double SmallestRadius = std::numeric_limits<double>::infinity(); ///< distance from the origin
+  double LargestRadius = 0.0;
+  bool IsClosed = true;
+  Vector3 Origin = Vector3::Zero(); ///< one of its points, from which volumes count
+  double Volume = 0.0;              ///< six times that inside, positive if cells are counter-clockwise from outside
+  double Upwards = 0.0;             ///< twice the area, projected along z
+  double Outwards = 0.0;            ///< the same, along the directions from the origin
+  double Area = 0.0;                ///< twice the area
+
+  void Add(const Vector3& point)
+  {
+    this->Smallest = this->Smallest.cwiseMin(point);
+    this->Largest = this->Largest.cwiseMax(point);
+    this->SmallestRadius = std::min(this->SmallestRadius, point.norm());
+    this->LargestRadius = std::max(this->LargestRadius, point.norm());
+  }
+
+  double Diagonal() const { return (this->Largest - this->Smallest).norm(); }
+
+  bool HasConstantZ() const
+  {
+    return this->Largest.z() - this->Smallest.z() <= Rounding * (this->Diagonal() + std::abs(this->Largest.z()));
+  }
+
+  /// A plane that is seen from the origin differs in its distances by an eighth of the squared diagonal over the radius.
+  bool IsOnGlobe() const
+  {
+    constexpr double LargestDifference = 0.01;
+    const double radius = this->LargestRadius;
+    const double bulge = this->Diagonal() * this->Diagonal() / std::max(radius, std::numeric_limits<double>::min());
+    return this->LargestRadius - this->SmallestRadius <= LargestDifference * std::min(radius, bulge);
+  }
+
+  /// \return the kind of its side, and whether cells are counter-clockwise, seen from it.
+  std::pair<PositiveSide, bool> Side(bool isGlobe) const
+  {
+    constexpr double SmallestShare = 1e-9;
+    const double size = this->Diagonal();
+    if (this->IsClosed && std::abs(this->Volume) > SmallestShare * this->Area * size)
+    {
+      return { PositiveSide::Outside, this->Volume > 0.0 };
+    }
+    if (this->HasConstantZ() && std::abs(this->Upwards) > SmallestShare * this->Area)
+    {
+      return { PositiveSide::Up, this->Upwards > 0.0 };
+    }
+    if ((isGlobe || this->IsOnGlobe()) && std::abs(this->Outwards) > SmallestShare * this->Area)
+    {
+      return { PositiveSide::AwayFromOrigin, this->Outwards > 0.0 };
+    }
+    return { PositiveSide::OfCells, true };
+  }
+};
+
+std::vector<Component> Measure(const TriangleMesh& mesh, const std::vector<int>& componentOf)
+{
+  const int number = componentOf.empty() ? 0 : 1 + *std::max_element(componentOf.begin(), componentOf.end());
+  std::vector<Component> components(number);
+  for (int face = mesh.NumberOfFaces() - 1; face >= 0; --face)
+  {
+    components[componentOf[face]].Origin = mesh.Position(mesh.Tail(3 * face));
+  }
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    Component& of = components[componentOf[face]];
+    Vector3 centre = Vector3::Zero();
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      of.Add(mesh.Position(mesh.Tail(h)));
+      of.IsClosed = of.IsClosed && mesh.Twin(h) >= 0;
+      centre += mesh.Position(mesh.Tail(h)) / 3.0;
+    }
+    const Vector3 area = mesh.FaceAreaVector(face);
+    of.Volume += area.dot(centre - of.Origin);
+    of.Upwards += area.z();
+    of.Outwards += area.dot(centre.stableNormalized());
+    of.Area += area.norm();
+  }
+  return components;
+}
+
+}
+
+std::string SidesOfSurface::Text() const
+{
+  constexpr std::array<const char*, 4> Texts{ "the outside", "the side away from the origin", "+z",
+    "the side from which the corners of its cells are counter-clockwise" };
+  std::string text;
+  for (const PositiveSide side : this->Kinds)
+  {
+    text += (text.empty() ? "" : ", ") + std::string(Texts[static_cast<int>(side)]);
+  }
+  return text;
+}
+
+bool HaveConstantZ(const Points& points)
+{
+  Component all;
+  for (int point = 0; point < points.rows(); ++point)
+  {
+    all.Add(points.row(point).transpose());
+  }
+  return all.HasConstantZ();
+}
+
+SidesOfSurface FindSides(const TriangleMesh& mesh, bool isGlobe)
+{
+  const std::vector<int> componentOf = FaceComponents(mesh);
+  std::vector<double> signs; // of components
+  SidesOfSurface sides;
+  for (const Component& component : Measure(mesh, componentOf))
+  {
+    const auto [kind, isCounterClockwise] = component.Side(isGlobe);
+    sides.Kinds.push_back(kind);
+    signs.push_back(isCounterClockwise ? 1.0 : -1.0);
+  }
+  std::sort(sides.Kinds.begin(), sides.Kinds.end());
+  sides.Kinds.erase(std::unique(sides.Kinds.begin(), sides.Kinds.end()), sides.Kinds.end());
+  sides.OfFaces.resize(mesh.NumberOfFaces());
+  sides.OfVertices.setOnes(mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    sides.OfFaces[face] = signs[componentOf[face]];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      sides.OfVertices[mesh.FaceCorners()(face, corner)] = sides.OfFaces[face];
+    }
+  }
+  return sides;
+}
+
+}

@@ -1,0 +1,223 @@
+"""Results do not depend on how a file stores its data: order of rows, maps, land, polygons, doubled points, holes."""
+
+import os
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+from directionalmultigrid import FieldError, FieldWarning, hodge, smooth_field, transport, write_raw_field, write_rosy, write_sharp
+from surfaces import add, surface, values
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+
+
+def globe(longitudes, latitudes):
+    """A vtkStructuredGrid on the unit sphere, and its points."""
+    longitude, latitude = np.meshgrid(np.radians(longitudes), np.radians(latitudes))
+    grid, points = vtkStructuredGrid(), vtkPoints()
+    grid.SetDimensions(len(longitudes), len(latitudes), 1)
+    xyz = np.stack([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], -1).reshape(-1, 3)
+    points.SetData(numpy_to_vtk(xyz, deep=True))
+    grid.SetPoints(points)
+    return grid, xyz
+
+
+def east_and_north(xyz, vectors):
+    longitude, latitude = np.arctan2(xyz[:, 1], xyz[:, 0]), np.arcsin(np.clip(xyz[:, 2], -1, 1))
+    east = np.stack([-np.sin(longitude), np.cos(longitude), 0 * longitude], 1)
+    north = np.stack([-np.sin(latitude) * np.cos(longitude), -np.sin(latitude) * np.sin(longitude), np.cos(latitude)], 1)
+    return (vectors * east).sum(1), (vectors * north).sum(1)
+
+
+def flat(longitudes, latitudes):
+    """A map as ParaView's reader of netCDF leaves it without spherical coordinates."""
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(len(longitudes), len(latitudes), 1)
+    for axis, numbers in (("X", longitudes), ("Y", latitudes), ("Z", [0.0])):
+        getattr(grid, f"Set{axis}Coordinates")(numpy_to_vtk(np.ascontiguousarray(numbers, float), deep=True))
+    return grid
+
+
+def image(nx, ny, vectors, spacing=1.0):
+    grid = vtkImageData()
+    grid.SetDimensions(nx, ny, 1)
+    grid.SetSpacing(spacing, spacing, 1)
+    x, y = (each.ravel() for each in np.meshgrid(np.arange(nx) * spacing, np.arange(ny) * spacing))
+    add(grid.GetPointData(), "U", vectors(x, y))
+    return grid, x, y
+
+
+def polygons(points, cells):
+    data, at, array = vtkPolyData(), vtkPoints(), vtkCellArray()
+    at.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
+    for cell in cells:
+        array.InsertNextCell(len(cell), [int(each) for each in cell])
+    data.SetPoints(at)
+    data.SetPolys(array)
+    return data
+
+
+class Derivatives(unittest.TestCase):
+    def test_of_linear_flows_are_exact_at_corners_and_in_strips(self):
+        for nx, ny in ((11, 11), (11, 2)):
+            grid, _, _ = image(nx, ny, lambda x, y: np.stack([x, y, 0 * x], 1))
+            np.testing.assert_allclose(values(hodge(grid, "U").GetPointData(), "Divergence"), 2, atol=1e-9)
+
+    def test_of_cells_are_exact_on_quadrilaterals_that_are_no_rectangles(self):
+        n = 12
+        points = np.array([[i, j, 0.0] for j in range(n + 1) for i in range(n + 1)])
+        points[:, :2] += np.random.default_rng(0).uniform(-0.1, 0.1, (len(points), 2))
+        cells = [[j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i] for j in range(n) for i in range(n)]
+        data = polygons(points, cells)
+        centres = points[np.array(cells)].mean(1)
+        add(data.GetCellData(), "U", np.stack([-3 * centres[:, 1], centres[:, 0] + 2 * centres[:, 1], 0 * centres[:, 0]], 1))
+        result = hodge(data, "U", Boundary="Open").GetPointData()
+        np.testing.assert_allclose(values(result, "Vorticity"), 4, atol=1e-9)
+        np.testing.assert_allclose(values(result, "Divergence"), 2, atol=1e-9)
+
+
+class EastwardAndNorthward(unittest.TestCase):
+    def test_at_the_poles_the_flow_is_that_of_the_neighbours(self):
+        grid, xyz = globe(np.linspace(0, 360, 73), np.linspace(-90, 90, 37))
+        u, v = east_and_north(xyz, np.cross([1.0, 0, 0], xyz))  # across the poles
+        add(grid.GetPointData(), "u", u)
+        add(grid.GetPointData(), "v", v)
+        result = hodge(grid, eastward="u", northward="v")
+        np.testing.assert_allclose(values(result.GetPointData(), "StreamFunction"), -xyz[:, 0], atol=0.01)
+        np.testing.assert_allclose(values(result.GetPointData(), "Vorticity"), 2 * xyz[:, 0], atol=0.1)
+
+    def test_in_a_plane_are_refused_with_the_remedy(self):
+        grid = flat(np.linspace(-100, -60, 41), np.linspace(20, 50, 31))
+        add(grid.GetPointData(), "u", np.full(41 * 31, 10.0))
+        add(grid.GetPointData(), "v", np.zeros(41 * 31))
+        with self.assertRaisesRegex(FieldError, "Longitude and Latitude in Degrees"):
+            hodge(grid, eastward="u", northward="v")
+
+    def test_on_a_flat_map_give_what_they_give_on_the_globe(self):
+        longitudes, latitudes = np.arange(-20, 341, 5.0), np.linspace(90, -90, 37)
+        on_globe, xyz = globe(longitudes, latitudes)
+        on_map = flat(longitudes, latitudes)
+        u, v = np.hypot(xyz[:, 0], xyz[:, 1]), 0 * xyz[:, 0]
+        for grid in (on_globe, on_map):
+            add(grid.GetPointData(), "u", u)
+            add(grid.GetPointData(), "v", v)
+        expected = hodge(on_globe, eastward="u", northward="v").GetPointData()
+        result = hodge(on_map, eastward="u", northward="v", Coordinates="LongitudeAndLatitude")
+        self.assertIs(type(result), vtkRectilinearGrid)
+        for name in ("StreamFunction", "Vorticity"):
+            np.testing.assert_allclose(values(result.GetPointData(), name), values(expected, name), atol=1e-9)
+        parts = values(result.GetPointData(), "RotationalPart")  # eastward, northward, upward
+        inner = np.abs(xyz[:, 2]) < 0.95
+        np.testing.assert_allclose(parts[inner, 0], u[inner], atol=0.02)
+        np.testing.assert_allclose(parts[inner, 1:], 0, atol=0.02)
+
+
+class PeriodicData(unittest.TestCase):
+    def test_a_grid_one_step_short_of_the_circle_is_told(self):
+        for longitudes, is_told in ((np.arange(0, 360.1, 5), False), (np.arange(0, 360, 5), True)):
+            grid, xyz = globe(longitudes, np.linspace(-90, 90, 37))
+            add(grid.GetPointData(), "u", np.hypot(xyz[:, 0], xyz[:, 1]))
+            add(grid.GetPointData(), "v", 0 * xyz[:, 0])
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                hodge(grid, eastward="u", northward="v")
+            self.assertEqual(any("short of a full circle" in str(each.message) for each in said), is_told)
+
+
+class Land(unittest.TestCase):
+    def test_cells_without_a_flow_take_no_part_at_each_time_by_itself(self):
+        grid, x, y = image(21, 15, lambda x, y: np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
+        for land in (x < 3, x < 5):
+            flow = np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1)
+            flow[land] = np.nan
+            add(grid.GetPointData(), "U", flow)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                result = hodge(grid, "U")
+            np.testing.assert_array_equal(np.isnan(values(result.GetPointData(), "StreamFunction")), land)
+            cells = 14 * int(land[:21].sum())
+            self.assertEqual(values(result.GetFieldData(), "CellsWithoutFlow")[0], cells)
+            self.assertEqual(np.isnan(values(result.GetCellData(), "GradientPart")[:, 0]).sum(), cells)
+
+    def test_fill_values_are_refused_or_told(self):
+        grid, x, y = image(21, 15, lambda x, y: np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
+        for fill, refuses in ((9.96921e36, True), (np.inf, True), (-32767.0, False)):
+            flow = np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1)
+            flow[x < 3] = (fill, fill, 0)
+            add(grid.GetPointData(), "U", flow)
+            if refuses:
+                with self.assertRaisesRegex(FieldError, "Replace Fill Value With Nan"):
+                    hodge(grid, "U")
+            else:
+                with self.assertWarnsRegex(FieldWarning, "Replace Fill Value With Nan"):
+                    hodge(grid, "U")
+
+
+class DoubledPoints(unittest.TestCase):
+    def test_weigh_once(self):
+        n = 24
+        at = np.array([[i / n, j / n, 0.0] for j in range(n + 1) for i in range(n + 1)])
+        triangles = np.array([t for j in range(n) for i in range(n) for a in [j * (n + 1) + i]
+                              for t in ((a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1))])
+        fields = []
+        for points, cells in ((at, triangles), (at[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))):
+            data = surface(points, cells)
+            angle = 0.3 * np.sin(7 * points[:, 0])
+            add(data.GetPointData(), "D", np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1))
+            field = smooth_field(data, n=1, Directions="D", SmoothingLength=0.1, Tolerance=1e-9)
+            fields.append(values(field.GetPointData(), "Direction0"))
+        np.testing.assert_allclose(fields[1], fields[0][triangles.ravel()], atol=1e-5)
+
+
+class Distances(unittest.TestCase):
+    def test_go_around_a_hole(self):
+        rings, around = 10, 180
+        r, t = np.meshgrid(np.linspace(0.8, 1, rings + 1), np.arange(around) * 2 * np.pi / around, indexing="ij")
+        at = np.stack([(r * np.cos(t)).ravel(), (r * np.sin(t)).ravel(), 0 * r.ravel()], 1)
+        triangles = [f for i in range(rings) for j in range(around) for a, b, c, d in
+                     [(i * around + j, (i + 1) * around + j, i * around + (j + 1) % around, (i + 1) * around + (j + 1) % around)]
+                     for f in ((a, b, d), (a, d, c))]
+        result = transport(surface(at, triangles), point=(0.9, 0, 0), direction=(1, 0, 0)).GetPointData()
+        opposite = np.argmin(np.linalg.norm(at + [0.9, 0, 0], axis=1))
+        tangent = np.sqrt(0.81 - 0.64)
+        exact = 2 * tangent + 0.8 * (np.pi - 2 * np.arccos(0.8 / 0.9))
+        self.assertAlmostEqual(values(result, "GeodesicDistance")[opposite], exact, delta=0.01 * exact)
+
+    def test_of_places_that_nothing_reaches_are_not_numbers(self):
+        data = surface([[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 0, 0], [6, 0, 0], [5, 1, 0]], [(0, 1, 2), (3, 4, 5)])
+        with self.assertWarnsRegex(FieldWarning, "NaN there"):
+            result = transport(data, point=(0, 0, 0))
+        np.testing.assert_array_equal(np.isnan(values(result.GetPointData(), "GeodesicDistance")), [False] * 3 + [True] * 3)
+
+
+class Export(unittest.TestCase):
+    def test_features_are_those_of_the_surface_that_the_solver_sees(self):
+        n = 6
+        at = np.array([[i, j, 0.0] for j in range(n + 1) for i in range(n + 1)])
+        triangles = np.array([t for j in range(n) for i in range(n) for a in [j * (n + 1) + i]
+                              for t in ((a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1))])
+        turned = np.array([t[::-1] if k % 2 else t for k, t in enumerate(triangles)])
+        soup = surface(at[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))
+        with warnings.catch_warnings(), tempfile.TemporaryDirectory() as folder:
+            warnings.simplefilter("ignore")
+            for data in (surface(at, triangles), surface(at, turned), soup):
+                path = os.path.join(folder, "part.sharp")
+                write_sharp(path, smooth_field(data))
+                with open(path, encoding="ascii") as file:
+                    self.assertEqual(int(file.readline()), 4 * n)
+
+    def test_unstructured_grids_are_written_as_their_polygons(self):
+        grid = vtkAppendFilter()
+        grid.AddInputData(surface([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [(0, 1, 2), (0, 2, 3)]))
+        grid.Update()
+        field = smooth_field(grid.GetOutput())
+        with tempfile.TemporaryDirectory() as folder:
+            for write in (write_rosy, write_raw_field, write_sharp):
+                write(os.path.join(folder, "x"), field)
+
+
+if __name__ == "__main__":
+    unittest.main()
