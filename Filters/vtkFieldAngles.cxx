@@ -4,7 +4,9 @@
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Drawing/AnglesOfField.h"
+#include "Mesh/PositiveSide.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -45,7 +47,9 @@ int vtkFieldAngles::RequestData(
       vtkDataSet* const output = vtkDataSet::GetData(outputVector);
       const dmg::Points references =
         dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
-      dmg::Vector<double> angles = 180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, context);
+      const dmg::SidesOfSurface sides = dmg::FindSides(given.Surface.Mesh);
+      dmg::Vector<double> angles =
+        180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, sides, context);
       if (const auto undefined = angles.array().isNaN().count())
       {
         vtkWarningMacro("there is no angle on " << undefined << " of " << angles.size()
@@ -56,6 +60,7 @@ int vtkFieldAngles::RequestData(
       }
       this->Period = 360.0 / given.Field.N();
       output->ShallowCopy(input);
+      dmg::AddPositiveSide(sides, output->GetFieldData());
       vtkNew<vtkFieldData> arrays;
       dmg::ArraysOfCells(given.Surface.Mesh, given.Surface, input, arrays, context)
         .AddOfLargest("Angle", angles.data());

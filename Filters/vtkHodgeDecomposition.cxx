@@ -121,7 +121,7 @@ int vtkHodgeDecomposition::RequestData(
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& surface = this->Internals->Surface;
     surface.SetSurface(withFlow, preparation,
-      this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
+      this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options, isGlobe,
       dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::FaceFlow flow = chosen ? chosen->On(surface.Surface(), dmg::PartOfContext(context, 0.05, 0.1))
                                       : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },

@@ -23,10 +23,11 @@
  * | ------------------ | ------------- | ---------- | ----------------------------------------------------------------------------- |
  * | TransportedVectors | cells, points | 3          | tangential, of the length of the source; active vectors of points             |
  * | GeodesicDistance   | points        | 1          | from the map's point along the surface; active scalars                        |
- * | GeodesicAngle      | points        | 1          | of the shortest path at the map's point, from Direction counter-clockwise seen from outside, in degrees from -180 to 180 |
+ * | GeodesicAngle      | points        | 1          | of the shortest path at the map's point, from Direction counter-clockwise seen from PositiveSide, in degrees from -180 to 180 |
  * | LogarithmicMap     | points        | 2          | distance times (cosine, sine) of the angle: normal coordinates                |
  * | TextureCoordinates | points        | 2          | 0.5 + LogarithmicMap / TextureSize: an image with the point in its middle; active texture coordinates |
  * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
+ * | PositiveSide       | field data    | 1          | as of vtkHodgeDecomposition                                                   |
  *
  * Distances go around holes. Components of the surface without a source have zero vectors, and those without the map's point NaN; a warning
  * counts their points. So have points of no cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle

@@ -33,7 +33,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     cells and at points; Potential, StreamFunction, Divergence and Vorticity at points; in its field data energies and, for each
     boundary, circulation, flux and stream function (see vtkHodgeDecomposition).
 
-    NaN is no flow: such cells take no part, and are NaN in the result.
+    NaN is no flow: such cells take no part, and are NaN in the result. Counter-clockwise is positive, as seen from outside, from +z
+    in a plane of constant z, else from the side of the cells.
 
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
     filter refuses; warns with FieldWarning.

@@ -7,11 +7,12 @@ import warnings
 
 import numpy as np
 from directionalmultigrid import FieldError, FieldWarning, hodge, smooth_field, transport, write_raw_field, write_rosy, write_sharp
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldAngles, vtkHodgeDecomposition
 from surfaces import add, surface, values
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkPlane, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCutter
 
 
 def globe(longitudes, latitudes):
@@ -58,6 +59,76 @@ def polygons(points, cells):
     data.SetPoints(at)
     data.SetPolys(array)
     return data
+
+
+class OrderOfRows(unittest.TestCase):
+    def test_a_globe_has_the_same_signs_from_south_and_from_north(self):
+        for latitudes in (np.linspace(-90, 90, 37), np.linspace(90, -90, 37)):
+            grid, xyz = globe(np.linspace(0, 360, 73), latitudes)
+            add(grid.GetPointData(), "u", np.hypot(xyz[:, 0], xyz[:, 1]))  # to the east, as the Earth turns
+            add(grid.GetPointData(), "v", 0 * xyz[:, 0])
+            result = hodge(grid, eastward="u", northward="v")
+            data = result.GetPointData()
+            np.testing.assert_allclose(values(data, "Vorticity"), 2 * xyz[:, 2], atol=0.03)
+            np.testing.assert_allclose(values(data, "StreamFunction"), -xyz[:, 2], atol=0.01)
+            self.assertEqual(result.GetFieldData().GetAbstractArray("PositiveSide").GetValue(0), "the outside")
+            angles = values(transport(grid, point=(1, 0, 0), direction=(0, 1, 0)).GetPointData(), "GeodesicAngle")
+            self.assertAlmostEqual(angles[np.argmin(np.abs(xyz[:, 2] - 0.7) + np.abs(xyz[:, 1]) - xyz[:, 0])], 90, delta=2)
+
+    def test_a_part_of_a_globe_too(self):
+        for latitudes in (np.linspace(20, 50, 31), np.linspace(50, 20, 31)):
+            grid, xyz = globe(np.linspace(-100, -60, 41), latitudes)
+            add(grid.GetPointData(), "u", np.hypot(xyz[:, 0], xyz[:, 1]))
+            add(grid.GetPointData(), "v", 0 * xyz[:, 0])
+            data = hodge(grid, eastward="u", northward="v", Boundary="Open").GetPointData()
+            np.testing.assert_allclose(values(data, "Vorticity"), 2 * xyz[:, 2], atol=0.03)
+
+    def test_a_plane_has_the_same_signs_from_below_and_from_above(self):
+        for order in (1, -1):
+            x, y = np.linspace(-1, 1, 21), np.linspace(-1, 1, 21)[::order]
+            grid = flat(x, y)
+            x, y = (each.ravel() for each in np.meshgrid(x, y))
+            add(grid.GetPointData(), "U", np.stack([-y, x, 0 * x], 1))
+            np.testing.assert_allclose(values(hodge(grid, "U").GetPointData(), "Vorticity"), 2, atol=1e-9)
+
+    def test_a_slice_has_them_whatever_its_normal(self):
+        volume = vtkImageData()
+        volume.SetDimensions(9, 9, 9)
+        x, y, z = (np.array([volume.GetPoint(k)[axis] for k in range(volume.GetNumberOfPoints())]) for axis in range(3))
+        add(volume.GetPointData(), "U", np.stack([-y, x, 0 * z], 1))
+        for normal in ((0, 0, 1), (0, 0, -1)):
+            plane, cutter = vtkPlane(), vtkCutter()
+            plane.SetOrigin(0.3, 0.2, 4.1)
+            plane.SetNormal(*normal)
+            cutter.SetCutFunction(plane)
+            cutter.SetInputData(volume)
+            cutter.Update()
+            np.testing.assert_allclose(values(hodge(cutter.GetOutput(), "U").GetPointData(), "Vorticity"), 2, atol=1e-5)
+
+
+    def test_of_cells_changes_neither_angles_nor_lines(self):
+        at = np.array([[i, j, 0.0] for j in range(6) for i in range(6)])
+        triangles = np.array([t for j in range(5) for i in range(5) for a in [j * 6 + i] for t in ((a, a + 1, a + 7), (a, a + 7, a + 6))])
+        for cells in (triangles, triangles[:, ::-1]):
+            data = surface(at, cells)
+            add(data.GetCellData(), "D", np.tile([np.cos(0.3), np.sin(0.3), 0], (len(cells), 1)))
+            angles = vtkFieldAngles()
+            angles.SetInputData(data)
+            angles.SetInputArrayToProcess(0, 0, 0, 1, "D")
+            angles.SetNumberOfDirections(1)
+            angles.SetAxis(1, 0, 0)
+            angles.Update()
+            np.testing.assert_allclose(values(angles.GetOutput().GetCellData(), "Angle"), np.degrees(0.3), atol=1e-9)
+            add(data.GetPointData(), "U", np.stack([2.5 - at[:, 1], at[:, 0] - 2.5, 0 * at[:, 0]], 1))
+            flow = vtkHodgeDecomposition()
+            flow.SetInputData(data)
+            flow.SetInputArrayToProcess(0, 0, 0, 0, "U")
+            flow.SetNumberOfContours(4)
+            flow.Update()
+            lines = flow.GetOutput(1)
+            points = vtk_to_numpy(lines.GetPoints().GetData())[:, :2] - 2.5
+            start, end = vtk_to_numpy(lines.GetLines().GetConnectivityArray())[:2]
+            self.assertGreater(np.cross(points[start], points[end]), 0)  # counter-clockwise, as the flow
 
 
 class Derivatives(unittest.TestCase):

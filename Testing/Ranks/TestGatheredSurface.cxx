@@ -231,6 +231,7 @@ TEST(GatheredSurface, MayBeAnUnstructuredGrid)
   asGrid->Update();
   vtkNew<Solver> solver;
   solver->SetInputData(asGrid->GetOutput());
+  solver->AllDirectionsOn();
   solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
   solver->SetTolerance(1e-8);
   solver->SetSolver(Solver::Cholesky);

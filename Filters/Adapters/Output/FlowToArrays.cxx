@@ -1,6 +1,7 @@
 #include "Adapters/Output/FlowToArrays.h"
 
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Drawing/ContourLines.h"
 #include "Operators/PowerFieldDirections.h"
 
@@ -112,12 +113,12 @@ Points LiftedVertices(const FramedMesh& surface, double lift)
 }
 
 /// Makes \p output the lines where the stream function of a flow has evenly spaced values.
-void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const FlowOptions& options,
-  vtkPolyData* output, const ExecutionContext& context)
+void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const SidesOfSurface& sides,
+  const FlowOptions& options, vtkPolyData* output, const ExecutionContext& context)
 {
   const std::vector<double> values = EvenValues(psi, options.NumberOfContours);
   const ContourLines lines =
-    FindContourLines(surface.Mesh, LiftedVertices(surface, options.Lift), psi, values, context);
+    FindContourLines(surface.Mesh, LiftedVertices(surface, options.Lift), psi, values, sides, context);
   if (lines.Order.empty())
   {
     return;
@@ -221,7 +222,7 @@ std::vector<std::string> NamesOfFlowArrays()
 }
 
 void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
-  const SolverOptions& options, const ExecutionContext& context)
+  const SolverOptions& options, bool isGlobe, const ExecutionContext& context)
 {
   const std::string digest = ContentDigest(input, preparation);
   if (this->Digest != digest)
@@ -236,11 +237,12 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
     this->PreparationOfSurface = surface.Report;
     this->Digest = digest;
   }
-  if (!this->Decomposition || !(this->Options == options))
+  if (!this->Decomposition || !(this->Options == options) || this->IsGlobe != isGlobe)
   {
     this->Forget();
-    this->Decomposition.emplace(*this->Geometry, boundary, options);
+    this->Decomposition.emplace(*this->Geometry, boundary, options, isGlobe);
     this->Options = options;
+    this->IsGlobe = isGlobe;
   }
   this->Decomposition->SetBoundary(boundary);
 }
@@ -273,6 +275,8 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
     this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
   RemoveFlowArrays(output);
   const double scale = options.LengthScale;
+  const SidesOfSurface& sides = this->Decomposition->Sides();
+  AddPositiveSide(sides, output->GetFieldData());
   const FlowArrays arrays(this->Surface(), this->CornersOfFaces, input, output, context);
   arrays.AddPart(GradientPart, parts.Gradient);
   arrays.AddPart(RotationalPart, parts.Rotational);
@@ -289,7 +293,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   {
     const DerivativesAtVertices derivatives = flow.Derivatives(context);
     arrays.AddFunction(Divergence, derivatives.Divergence, 1.0 / scale);
-    arrays.AddFunction(Vorticity, derivatives.Vorticity, 1.0 / scale);
+    arrays.AddFunction(Vorticity, Vector<double>(derivatives.Vorticity.cwiseProduct(sides.OfVertices)), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);
@@ -298,7 +302,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   if (parts.StreamFunction.size() > 0)
   {
     output->GetPointData()->SetActiveScalars(StreamFunction);
-    MakeStreamlines(on, parts.StreamFunction, options, streamlines, context);
+    MakeStreamlines(on, parts.StreamFunction, sides, options, streamlines, context);
   }
   context.Checkpoint(1.0);
   return parts.Warnings;

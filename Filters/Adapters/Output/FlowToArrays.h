@@ -39,9 +39,10 @@ class FlowSurface
 {
 public:
   /// Takes another surface, boundary or solver, if it is another.
+  /// \param isGlobe as of HodgeDecomposition.
   /// \throw InvalidInput as MeshFromDataSet.
   void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
-    const SolverOptions& options, const ExecutionContext& context);
+    const SolverOptions& options, bool isGlobe, const ExecutionContext& context);
 
   /// The things that were done to the surface.
   const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
@@ -62,6 +63,7 @@ private:
 
   std::string Digest;
   SolverOptions Options;
+  bool IsGlobe = false;
   SurfaceRelation Relation;
   PreparationReport PreparationOfSurface;
   std::unique_ptr<FramedMesh> Geometry;

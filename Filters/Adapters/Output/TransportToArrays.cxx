@@ -3,6 +3,7 @@
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Support/Errors.h"
 
 #include "vtkCellData.h"
@@ -137,6 +138,7 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   const auto point = NewArray(MapPoint, 1, 1);
   point->SetValue(0, static_cast<double>(this->Relation.PointOf(from.Vertex)));
   output->GetFieldData()->AddArray(point);
+  AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
   return map.Warnings;
 }
 

@@ -34,6 +34,14 @@ void AddPreparation(const PreparationReport& report, const PreparationOptions& o
   }
 }
 
+void AddPositiveSide(const SidesOfSurface& sides, vtkFieldData* fieldData)
+{
+  vtkNew<vtkStringArray> side;
+  side->SetName(ArrayNames::PositiveSide);
+  side->InsertNextValue(sides.Text());
+  AddHidden(fieldData, side);
+}
+
 PreparationOptions PreparationOf(vtkDataSet* surface)
 {
   PreparationOptions options;

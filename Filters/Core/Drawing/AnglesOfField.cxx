@@ -7,7 +7,7 @@ namespace dmg
 {
 
 Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOnFaces& field, const Points& references,
-  const ExecutionContext& context)
+  const SidesOfSurface& sides, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;
   constexpr double SmallestTangentialPart = 1e-9;
@@ -22,7 +22,8 @@ Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOn
         const bool isDefined =
           field.HasDirection(face) && std::abs(tangential) > SmallestTangentialPart * reference.stableNorm();
         const Complex nearest = field.Direction(face, field.Nearest(face, tangential));
-        angles[face] = isDefined ? std::arg(nearest * std::conj(tangential)) : std::numeric_limits<double>::quiet_NaN();
+        angles[face] = isDefined ? sides.OfFaces[face] * std::arg(nearest * std::conj(tangential))
+                                 : std::numeric_limits<double>::quiet_NaN();
       }
     });
   return angles;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace dmg
 {
@@ -13,11 +14,12 @@ class Tracer
 {
 public:
   Tracer(const TriangleMesh& mesh, const Points& places, const Vector<double>& u, const std::vector<double>& values,
-    const ExecutionContext& context)
+    const SidesOfSurface& sides, const ExecutionContext& context)
     : Mesh(mesh)
     , Places(places)
     , U(u)
     , Values(values)
+    , Sides(sides)
     , Ranks(mesh.NumberOfVertices())
     , FirstPoints(mesh.NumberOfEdges() + 1)
   {
@@ -98,7 +100,7 @@ private:
     }
   }
 
-  /// A line comes into a face through the side along which the function passes its value upwards.
+  /// A line comes into a face through the side along which the function passes its value upwards, counter-clockwise from the positive side.
   void Join(std::vector<int>& next, std::vector<char>& isReached) const
   {
     for (int face = 0; face < this->Mesh.NumberOfFaces(); ++face)
@@ -117,6 +119,10 @@ private:
         {
           in = ranks[k] <= value && value < ranks[k + 1] ? 3 * face + k : in;
           out = ranks[k + 1] <= value && value < ranks[k] ? 3 * face + k : out;
+        }
+        if (this->Sides.OfFaces[face] < 0.0)
+        {
+          std::swap(in, out);
         }
         const int end = this->PointOn(out, value);
         next[this->PointOn(in, value)] = end;
@@ -142,6 +148,7 @@ private:
   const Points& Places;
   const Vector<double>& U;
   const std::vector<double>& Values;
+  const SidesOfSurface& Sides;
   std::vector<int> Ranks;       ///< of vertices
   std::vector<int> FirstPoints; ///< of edges
 };
@@ -149,9 +156,9 @@ private:
 }
 
 ContourLines FindContourLines(const TriangleMesh& mesh, const Points& places, const Vector<double>& u,
-  const std::vector<double>& values, const ExecutionContext& context)
+  const std::vector<double>& values, const SidesOfSurface& sides, const ExecutionContext& context)
 {
-  return Tracer(mesh, places, u, values, context).Trace();
+  return Tracer(mesh, places, u, values, sides, context).Trace();
 }
 
 }

@@ -1,7 +1,7 @@
 #ifndef dmgContourLines_h
 #define dmgContourLines_h
 
-#include "Mesh/TriangleMesh.h"
+#include "Mesh/PositiveSide.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// Lines on a surface where a function has given values. A line has larger values to its right, so that it runs like the flow whose
+/// Lines on a surface where a function has given values. A line has larger values to its right, seen from the positive side, so that it runs like the flow whose
 /// stream function is drawn.
 struct ContourLines
 {
@@ -26,7 +26,7 @@ struct ContourLines
 /// \param values ascending.
 /// Cost: linear.
 ContourLines FindContourLines(const TriangleMesh& mesh, const Points& places, const Vector<double>& u,
-  const std::vector<double>& values, const ExecutionContext& context = SerialContext());
+  const std::vector<double>& values, const SidesOfSurface& sides, const ExecutionContext& context = SerialContext());
 
 }
 

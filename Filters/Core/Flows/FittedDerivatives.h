@@ -19,7 +19,8 @@ namespace dmg
 struct DerivativesAtVertices
 {
   Vector<double> Divergence; ///< #V, flow over length
-  Vector<double> Vorticity;  ///< #V, counter-clockwise seen from the positive side
+  Vector<double>
+    Vorticity; ///< #V, counter-clockwise as the corners of the faces; times SidesOfSurface::OfVertices, as seen from the positive side
 };
 
 /// The means of the corners of the cells, #F x 3: row f is that of the cell of face f.

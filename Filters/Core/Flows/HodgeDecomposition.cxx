@@ -50,8 +50,9 @@ void CheckFlow(const Vector<Complex>& flow, int faces)
 class HodgeDecomposition::Internals
 {
 public:
-  Internals(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options)
+  Internals(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options, bool isGlobe)
     : Geometry(surface)
+    , Sides(FindSides(surface.Mesh, isGlobe))
     , Boundary(boundary)
     , Areas(surface.Mesh.FaceAreas())
     , Potentials(surface, options)
@@ -62,10 +63,12 @@ public:
   void AddRotational(const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
   void AddHarmonic(const Vector<Complex>& flow, DecomposedFlow& parts, const ExecutionContext& context);
   void AddBoundaries(DecomposedFlow& parts) const;
+  void SeeFromPositiveSide(DecomposedFlow& parts) const;
   void MakeBasis(const ExecutionContext& context);
   double Norm(const Vector<Complex>& X) const { return FlowProduct(this->Areas, X, X); }
 
   const FramedMesh& Geometry;
+  const SidesOfSurface Sides;
   FlowBoundary Boundary;
   const Vector<double> Areas;
   FlowPotentials Potentials;
@@ -146,8 +149,26 @@ void HodgeDecomposition::Internals::AddBoundaries(DecomposedFlow& parts) const
   }
 }
 
-HodgeDecomposition::HodgeDecomposition(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options)
-  : Internal(std::make_unique<Internals>(surface, boundary, options))
+/// Solvers turn counter-clockwise as the cells do.
+void HodgeDecomposition::Internals::SeeFromPositiveSide(DecomposedFlow& parts) const
+{
+  const Vector<double>& signs = this->Sides.OfVertices;
+  parts.Derivatives.Vorticity.array() *= signs.array();
+  if (parts.StreamFunction.size() > 0)
+  {
+    parts.StreamFunction.array() *= signs.array();
+  }
+  for (Eigen::Index k = 0; k < parts.Circulation.size(); ++k)
+  {
+    const double sign = signs[this->Potentials.Loops()[k].Vertices[0]];
+    parts.Circulation[k] *= sign;
+    parts.StreamValues[k] *= sign;
+  }
+}
+
+HodgeDecomposition::HodgeDecomposition(
+  const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options, bool isGlobe)
+  : Internal(std::make_unique<Internals>(surface, boundary, options, isGlobe))
 {
 }
 
@@ -190,6 +211,7 @@ DecomposedFlow HodgeDecomposition::Decompose(
   }
   parts.ResidualEnergy = of.Norm(parts.Residual);
   of.AddBoundaries(parts);
+  of.SeeFromPositiveSide(parts);
   const double overlap = std::abs(
     parts.Energy - parts.GradientEnergy - parts.RotationalEnergy - parts.HarmonicEnergy - parts.ResidualEnergy);
   if (overlap > LargestOverlap * parts.Energy)
@@ -210,6 +232,11 @@ const Eigen::MatrixXd& HodgeDecomposition::HarmonicBasis(const ExecutionContext&
 const std::vector<BoundaryLoop>& HodgeDecomposition::Boundaries() const
 {
   return this->Internal->Potentials.Loops();
+}
+
+const SidesOfSurface& HodgeDecomposition::Sides() const
+{
+  return this->Internal->Sides;
 }
 
 const SolveReport& HodgeDecomposition::Report() const

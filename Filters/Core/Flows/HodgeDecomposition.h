@@ -2,6 +2,7 @@
 #define dmgHodgeDecomposition_h
 
 #include "Flows/FlowPotentials.h"
+#include "Mesh/PositiveSide.h"
 
 #include <memory>
 #include <string>
@@ -19,7 +20,8 @@ struct FlowParts
 };
 
 /// A flow as a sum of parts that are orthogonal to each other in the integral over the surface. Parts are vectors on faces,
-/// complex numbers in their frames; those that were not asked for are empty.
+/// complex numbers in their frames; those that were not asked for are empty. Counter-clockwise is as seen from the positive side of
+/// the surface (PositiveSide.h).
 struct DecomposedFlow
 {
   Vector<Complex> Gradient;   ///< grad u
@@ -65,7 +67,9 @@ class HodgeDecomposition
 {
 public:
   /// \param surface is borrowed.
-  HodgeDecomposition(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options = {});
+  /// \param isGlobe the surface lies around the origin, whatever its shape (FindSides).
+  HodgeDecomposition(
+    const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options = {}, bool isGlobe = false);
   ~HodgeDecomposition();
   HodgeDecomposition(HodgeDecomposition&&) noexcept;
 
@@ -82,6 +86,8 @@ public:
   /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
   const std::vector<BoundaryLoop>& Boundaries() const;
+  /// From which vorticity, stream functions and circulations are seen.
+  const SidesOfSurface& Sides() const;
   /// The report of the last solve, without a solver before the first.
   const SolveReport& Report() const;
 

@@ -147,6 +147,7 @@ public:
   Vector<Complex> StraightDirections(int vertex, Complex unit, const ExecutionContext& context);
 
   const FramedMesh& Surface;
+  const SidesOfSurface Sides;
   const std::vector<int> Components; ///< of vertices
   const VertexConnection Connection;
   const IntrinsicTriangulation Delaunay;
@@ -175,6 +176,7 @@ double Checked(double timeStep)
 ParallelTransport::Internals::Internals(
   const FramedMesh& surface, const TransportOptions& options, const ExecutionContext& context)
   : Surface(surface)
+  , Sides(FindSides(surface.Mesh))
   , Components(VertexComponents(surface.Mesh))
   , Connection(surface, context)
   , Delaunay(surface, this->Connection, context)
@@ -382,7 +384,8 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
     const double turned = std::remainder(paths.Directions[other] - std::arg(direction), 2.0 * Pi);
     const double difference = std::abs(std::remainder(turned - std::arg(straight[other]), 2.0 * Pi));
     const bool isStraight = straight[other] != 0.0 && difference <= largestDifference;
-    map.Angles[other] = other == vertex ? 0.0 : isStraight ? std::arg(straight[other]) : turned;
+    map.Angles[other] =
+      other == vertex ? 0.0 : of.Sides.OfVertices[vertex] * (isStraight ? std::arg(straight[other]) : turned);
     map.Coordinates[other] = std::polar(map.Distances[other], map.Angles[other]);
   }
   if (notReached > 0)
@@ -393,6 +396,11 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   ++of.Counts.Solves;
   context.Checkpoint(1.0);
   return map;
+}
+
+const SidesOfSurface& ParallelTransport::Sides() const
+{
+  return this->Internal->Sides;
 }
 
 const Vector<double>& ParallelTransport::Times() const

@@ -3,6 +3,7 @@
 
 #include "Constraints/Constraints.h"
 #include "Mesh/FramedMesh.h"
+#include "Mesh/PositiveSide.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -36,7 +37,7 @@ struct LogarithmicMap
   /// #V, in the frame whose first axis is the direction that was asked for; moduli are Distances, arguments Angles.
   Vector<Complex> Coordinates;
   Vector<double> Distances; ///< along the surface, >= 0
-  Vector<double> Angles;    ///< in radians, from -pi to pi, counter-clockwise seen from the positive side of the mesh
+  Vector<double> Angles; ///< in radians, from -pi to pi, counter-clockwise seen from the positive side (PositiveSide.h)
   std::vector<std::string> Warnings; ///< one sentence each
 };
 
@@ -74,6 +75,9 @@ public:
   /// \throw InvalidInput there is no such vertex; the direction is zero or not finite.
   /// \throw Cancelled
   LogarithmicMap Map(int vertex, Complex direction, const ExecutionContext& context = SerialContext());
+
+  /// From which angles are seen.
+  const SidesOfSurface& Sides() const;
 
   /// The time of the diffusion at each vertex, in squared units of length: one number per component.
   const Vector<double>& Times() const;
