@@ -21,7 +21,7 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
 {
   const dmg::TriangleMesh& mesh = given.Surface.Mesh;
   const std::vector<int> vertices =
-    dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), !given.Connection);
+    dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), !given.IsAtPoints);
   if (!vertices.empty())
   {
     vtkWarningWithObjectMacro(
@@ -31,6 +31,17 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
                  << dmg::ShortText(180.0 / given.Field.N())
                  << " degrees across edges; refine the surface there, or choose fewer directions.");
   }
+}
+
+dmg::FieldTopology TopologyOf(const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+{
+  const dmg::TriangleMesh& mesh = given.Surface.Mesh;
+  if (!given.IsAtPoints)
+  {
+    return dmg::TopologyOfField(mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+  }
+  const dmg::FieldAtVertices at = dmg::ReadFieldAtPoints(given, context);
+  return dmg::TopologyOfVertexField(mesh, at.Connection, at.First, given.Field.N(), context);
 }
 
 }
@@ -49,9 +60,7 @@ int vtkFieldSingularities::RequestData(
     { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      const dmg::FieldTopology topology = given.Connection
-        ? dmg::TopologyOfVertexField(given.Surface.Mesh, *given.Connection, given.AtVertices, given.Field.N(), context)
-        : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+      const dmg::FieldTopology topology = TopologyOf(given, context);
       WarnOfUnresolved(this, given, topology);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0), this->SphereRadius * given.Data->GetLength(),

@@ -304,7 +304,7 @@ public:
    * The solve stops at this RelativeResidual, an estimate of the relative error in the energy norm. At the default, directions are within 1 degree where the
    * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher shows. Far
    * from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and
-   * for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is always solved to 1e-6.
+   * for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is solved to a hundredth of it, 1e-8 at least.
    * Default 1e-4, range 1e-14 to 1.
    */
   vtkSetMacro(Tolerance, double);

@@ -192,17 +192,6 @@ void CheckSiblings(
   }
 }
 
-/// The values at the points.
-void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const ExecutionContext& context)
-{
-  const FramedMesh framed(given.Surface.Mesh, context);
-  vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
-  CheckTuples(array, input, vtkDataObject::POINT);
-  std::set<vtkIdType> left; // those of the cells were counted
-  given.AtVertices = ReadVertices(array, framed.Vertices, given.Surface, left, context);
-  given.Connection = std::make_shared<const VertexConnection>(framed, context);
-}
-
 double DiagonalOf(const TriangleMesh& mesh)
 {
   const Points& positions = mesh.VertexPositions();
@@ -291,12 +280,17 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);
-  SurfaceWithField given{ input, std::move(surface), std::move(frames), std::move(field), nullptr, {}, diagonal };
-  if (IsFieldAtPoints(input, chosen) && N == numberByName)
-  {
-    ReadFieldAtPoints(input, given, context);
-  }
-  return given;
+  const bool isAtPoints = IsFieldAtPoints(input, chosen) && N == numberByName;
+  return { input, std::move(surface), std::move(frames), std::move(field), diagonal, isAtPoints };
+}
+
+FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const ExecutionContext& context)
+{
+  const FramedMesh framed(given.Surface.Mesh, context);
+  vtkDataArray* const array = given.Data->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
+  CheckTuples(array, given.Data, vtkDataObject::POINT);
+  std::set<vtkIdType> left; // those of the cells were counted
+  return { VertexConnection(framed, context), ReadVertices(array, framed.Vertices, given.Surface, left, context) };
 }
 
 Points ReferenceVectors(

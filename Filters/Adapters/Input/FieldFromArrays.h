@@ -31,16 +31,14 @@ struct SurfaceWithField
   SurfaceMesh Surface;
   TangentFrames Faces;
   DirectionsOnFaces Field;
-  /// The connection between vertices and first directions there, of power fields at points; else null.
-  std::shared_ptr<const VertexConnection> Connection;
-  Vector<Complex> AtVertices;
   double Diagonal; ///< of the box around the triangles
+  bool IsAtPoints; ///< whether it shows a power field at points
 };
 
 /// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
 /// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
 /// cells and points have an array Direction0, both names mean that of the cells. Where cells have an array
-/// SingularityIndex, the field is one at points, and is read there as well.
+/// SingularityIndex, the field is one at points, too (ReadFieldAtPoints).
 ///
 /// \param N of the field; 0: that of NumberOfDirections.
 /// Vectors that are not finite, as where nothing was measured, are no directions; one warning counts them.
@@ -49,6 +47,16 @@ struct SurfaceWithField
 /// \throw InvalidInput what MeshFromDataSet refuses; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const ExecutionContext& context);
+
+/// A power field at points, where its singularities are found.
+struct FieldAtVertices
+{
+  VertexConnection Connection;
+  Vector<Complex> First; ///< direction of each vertex
+};
+
+/// \pre \p given IsAtPoints.
+FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const ExecutionContext& context);
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.

@@ -153,7 +153,7 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const SurfaceMesh& surface = given.Surface;
-  const bool areOnFaces = given.Connection != nullptr;
+  const bool areOnFaces = given.IsAtPoints;
   std::vector<std::pair<vtkIdType, int>> singular;
   double sum = 0.0;
   for (int element = 0; element < topology.Indices.size(); ++element)
@@ -286,7 +286,7 @@ void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& top
 
 void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  if (given.Connection)
+  if (given.IsAtPoints)
   {
     CutsBetweenVertices(given, topology, output);
     return;

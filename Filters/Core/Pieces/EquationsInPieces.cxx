@@ -229,7 +229,7 @@ Vector<Complex> EquationsInPieces::Solve(
   }
   if (this->Smoothest.AreAny())
   {
-    this->FindSmoothest(smoothest, stop.MaximumIterations, x, report, context);
+    this->FindSmoothest(smoothest, stop, x, report, context);
   }
   if (this->HasSource)
   {
@@ -246,7 +246,7 @@ Vector<Complex> EquationsInPieces::Solve(
   return x;
 }
 
-void EquationsInPieces::FindSmoothest(Vector<double>& smoothest, int maximumIterations, Vector<Complex>& x,
+void EquationsInPieces::FindSmoothest(Vector<double>& smoothest, const StoppingCriteria& stop, Vector<Complex>& x,
   SolveReport& report, const ExecutionContext& context) const
 {
   PetscMultigrid& multigrid = *this->Setup.Multigrid;
@@ -258,8 +258,8 @@ void EquationsInPieces::FindSmoothest(Vector<double>& smoothest, int maximumIter
   }
   const MatrixOfMultigrid matrix(multigrid, static_cast<int>(pairs.size()));
   CycleOfMultigrid cycle(multigrid);
-  std::vector<IterationReport> iterations = this->Smoothest.FindSmoothest(matrix, cycle, std::move(start),
-    maximumIterations, pairs, report, ContextOfRanks(this->Setup.Piece.Everyone(), context));
+  std::vector<IterationReport> iterations = this->Smoothest.FindSmoothest(
+    matrix, cycle, std::move(start), stop, pairs, report, ContextOfRanks(this->Setup.Piece.Everyone(), context));
   x = AsComplex(pairs);
   smoothest = Vector<double>::Zero(pairs.size());
   for (const int i : this->Smoothest.Unknowns())

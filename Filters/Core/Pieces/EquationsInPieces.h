@@ -52,7 +52,7 @@ private:
   void BalanceSource(NetSource net, double smoothness);
   void FillUnprescribed();
   Vector<Complex> RightHandSide() const;
-  void FindSmoothest(Vector<double>& smoothest, int maximumIterations, Vector<Complex>& x, SolveReport& report,
+  void FindSmoothest(Vector<double>& smoothest, const StoppingCriteria& stop, Vector<Complex>& x, SolveReport& report,
     const ExecutionContext& context) const;
 
   const SetupInPieces& Setup;

@@ -55,7 +55,7 @@ public:
   void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const Vector<double>& reference,
     const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
   /// On the components without prescriptions.
-  void FindSmoothest(Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context);
+  void FindSmoothest(const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
 
   PrescribedSystem System;
   const SolverOptions Options;
@@ -278,7 +278,7 @@ void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>&
 }
 
 void HarmonicProblem::Internals::FindSmoothest(
-  Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context)
+  const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
 {
   const bool isAll = this->System.NumberOfPrescribed() == 0;
   if (isAll)
@@ -287,18 +287,16 @@ void HarmonicProblem::Internals::FindSmoothest(
     this->Report.Converged = true;
   }
   const Eigen::MatrixXd& kernel = this->System.Setup().Kernel;
-  if (start.size() == 0)
-  {
-    // Nothing is smoother than a harmonic field.
-    start = kernel.cols() > 0 ? Vector<double>(kernel.rowwise().sum()) : Vector<double>::Zero(x.size());
-  }
+  // Nothing is smoother than a harmonic field. The choice among several smoothest fields does not depend on former solves.
+  Vector<double> start = kernel.cols() > 0 ? Vector<double>(kernel.rowwise().sum())
+                                           : this->System.Unprescribed().StartFrom(*this->Inverse, context);
   Preconditioner<double>* inverse = this->Inverse.get();
   if (this->Deflated)
   {
     inverse = &*this->Deflated;
   }
   std::vector<IterationReport> iterations = this->System.Unprescribed().FindSmoothest(
-    this->System.Matrix(), *inverse, std::move(start), maximumIterations, x, this->Report, context);
+    this->System.Matrix(), *inverse, std::move(start), stop, x, this->Report, context);
   if (isAll)
   {
     this->Report.Iterations = std::move(iterations);
@@ -404,8 +402,7 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   }
   if (!unprescribed.empty())
   {
-    // The choice among several smoothest fields does not depend on former solves.
-    of.FindSmoothest({}, stop.MaximumIterations, x, context);
+    of.FindSmoothest(stop, x, context);
   }
   of.System.InsertHeld(values, x);
   return Scattered(x, order, context);

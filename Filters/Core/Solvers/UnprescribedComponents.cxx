@@ -11,16 +11,18 @@ namespace dmg
 namespace
 {
 
-/// The end of an iteration for the smoothest field: a residual of 1e-6, or three times \p maximumIterations.
-StoppingCriteria StopOfSmoothest(int maximumIterations)
+/// The end of an iteration for the smoothest field. Vectors of eigenvalues that are closer to each other than its residual are not told
+/// apart. At a residual of 1e-4 the next eigenvectors may still turn the field by many degrees where it is small, so that it has to be
+/// smaller than the tolerance. Rounding errors bound it below.
+StoppingCriteria StopOfSmoothest(const StoppingCriteria& stop)
 {
-  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
-  // the next eigenvectors may still turn the field by many degrees where it is small.
-  constexpr double Tolerance = 1e-6;
+  constexpr double Share = 1e-2;
+  constexpr double Smallest = 1e-8;
   // Eigenvectors part slowly where many eigenvalues are close together, as on spheres.
   constexpr int Patience = 3;
-  const bool isLarge = maximumIterations > std::numeric_limits<int>::max() / Patience;
-  return { Tolerance, isLarge ? maximumIterations : Patience * maximumIterations };
+  const bool isLarge = stop.MaximumIterations > std::numeric_limits<int>::max() / Patience;
+  return { std::max(Smallest, Share * stop.RelativeTolerance),
+    isLarge ? stop.MaximumIterations : Patience * stop.MaximumIterations };
 }
 
 /// The multiple of the mass that is about the lowest eigenvalue of a component. A surface of size L has eigenvalues from about
@@ -100,14 +102,21 @@ void UnprescribedComponents::SetDiagonal(Vector<double>& D) const
   }
 }
 
+Vector<double> UnprescribedComponents::StartFrom(StiffnessCycle& cycle, const ExecutionContext& context) const
+{
+  const ShiftedParts parts{ *this->Mass, this->UnknownsPerMass, this->ByComponent, this->Shifts };
+  Vector<double> start = cycle.CoarseEigenvectors(parts, context);
+  return start.size() > 0 ? start : Vector<double>::Zero(this->Mass->size() * this->UnknownsPerMass);
+}
+
 std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearOperator<double>& A,
-  Preconditioner<double>& inverse, Vector<double> start, int maximumIterations, Vector<double>& x, SolveReport& report,
-  const ExecutionContext& context) const
+  Preconditioner<double>& inverse, Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
+  SolveReport& report, const ExecutionContext& context) const
 {
   SolveReport found;
   const std::vector<double> theta =
     FindLowestEigenvectors({ A, inverse, *this->Mass, this->ByComponent, this->SumOverProcesses },
-      StopOfSmoothest(maximumIterations), start, found, context);
+      StopOfSmoothest(stop), start, found, context);
   for (std::size_t component = 0; component < theta.size(); ++component)
   {
     if (this->Lengths[component] > 0.0)

@@ -4,6 +4,7 @@
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
 #include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
@@ -56,14 +57,18 @@ public:
   /// Writes the multiple of the mass for these unknowns.
   void SetDiagonal(Vector<double>& D) const;
 
-  /// Writes the fields into x, with a mean square magnitude of 1 and to a relative residual of 1e-6.
+  /// A start for FindSmoothest from the first coarse level of a cycle for R + D; zero where it has none.
+  Vector<double> StartFrom(StiffnessCycle& cycle, const ExecutionContext& context) const;
+
+  /// Writes the fields into x, with a mean square magnitude of 1.
   /// \param A R + D, \param inverse close to its inverse.
-  /// \param start of the iteration; zero on a component: one of pseudo-random numbers. The iteration ends after three times
-  ///   \p maximumIterations.
+  /// \param start of the iteration; zero on a component: one of pseudo-random numbers.
+  /// \param stop the tolerance and the iterations that a solve with constraints would have. The residual falls to a hundredth of the
+  ///   tolerance, 1e-8 at least, in three times as many iterations at most.
   /// \param report is added to: eigenvalues, in 1 / length^2, seconds, convergence and warnings.
   /// \return the history of the iteration.
   std::vector<IterationReport> FindSmoothest(const LinearOperator<double>& A, Preconditioner<double>& inverse,
-    Vector<double> start, int maximumIterations, Vector<double>& x, SolveReport& report,
+    Vector<double> start, const StoppingCriteria& stop, Vector<double>& x, SolveReport& report,
     const ExecutionContext& context) const;
 
 private:

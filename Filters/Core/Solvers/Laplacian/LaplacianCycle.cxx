@@ -1,5 +1,7 @@
 #include "Solvers/Laplacian/LaplacianCycle.h"
 
+#include "Solvers/Krylov/LowestEigenvectors.h"
+#include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
@@ -22,6 +24,44 @@ SmootherOptions SweepsOf(const StiffnessCycleOptions& options)
   smoothing.PreSweeps = smoothing.PostSweeps = options.Sweeps;
   return smoothing;
 }
+
+/// Parts of the unknowns as the first coarse level has them. Its mass matrix is lumped: a coarse unknown has the shares that it
+/// has in fine ones.
+struct CoarseParts
+{
+  CoarseParts(const SparseMatrix<Complex32>& P, const ShiftedParts& fine, const ExecutionContext& context)
+    : Mass(Vector<double>::Zero(P.cols()))
+    , Diagonal(Vector<double>::Zero(2 * P.cols()))
+  {
+    const int numberOfParts = static_cast<int>(fine.Shifts.size());
+    std::vector<int> partOf(P.cols(), numberOfParts); // that of no unknown
+    for (int part = 0; part < numberOfParts; ++part)
+    {
+      for (int item = fine.Parts.Begins[part]; item < fine.Parts.Begins[part + 1]; ++item)
+      {
+        const int unknown = fine.Parts.Items[item];
+        for (SparseMatrix<Complex32>::InnerIterator entry(P, unknown / 2); entry; ++entry)
+        {
+          partOf[entry.col()] = part;
+          this->Mass[entry.col()] += 0.5 * std::abs(entry.value()) * fine.Mass[unknown / fine.UnknownsPerMass];
+        }
+      }
+    }
+    const std::vector<int> unknowns = Choose(
+      2 * static_cast<int>(P.cols()), [&](int i) { return partOf[i / 2]<numberOfParts&& this->Mass[i / 2]> 0.0; },
+      context);
+    this->Parts = SortByKey(
+      unknowns, numberOfParts, [&](int i) { return partOf[i / 2]; }, context);
+    for (const int i : unknowns)
+    {
+      this->Diagonal[i] = fine.Shifts[partOf[i / 2]] * this->Mass[i / 2];
+    }
+  }
+
+  Vector<double> Mass;     ///< one per complex unknown
+  Vector<double> Diagonal; ///< the shift times the mass
+  SortedItems Parts;
+};
 
 }
 
@@ -125,6 +165,24 @@ void LaplacianCycle::Apply(const Vector<double>& r, Vector<double>& z, const Exe
         z[2 * k + 1] = this->x[k].imag();
       }
     });
+}
+
+Vector<double> LaplacianCycle::CoarseEigenvectors(const ShiftedParts& parts, const ExecutionContext& context)
+{
+  constexpr StoppingCriteria Stop = { 1e-2, 50 }; // the levels differ by about as much
+  const CoarseParts coarse(this->Fine.Prolongation.Matrix(), parts, context);
+  const SparseMatrix<Complex> matrix = SymmetricFromLower(this->Fine.CoarseLower, context);
+  MatrixPlusDiagonal<Complex> A(matrix);
+  A.SetDiagonal(coarse.Diagonal, context);
+  PreconditionerOnPairs inverse(*this->Coarse);
+  Vector<double> y = Vector<double>::Zero(A.Size());
+  SolveReport report;
+  FindLowestEigenvectors({ A, inverse, coarse.Mass, coarse.Parts }, Stop, y, report, context);
+  Vector<Single> z = Vector<Single>::Zero(this->Fine.Rows());
+  this->Fine.Prolongation.AddProduct(Eigen::Map<const Vector<Complex>>(AsRows<Complex>(y), y.size() / 2), z, context);
+  Vector<double> x(2 * z.size());
+  Eigen::Map<Vector<Complex>>(AsRows<Complex>(x), z.size()) = z.cast<Complex>();
+  return x;
 }
 
 std::vector<LevelReport> LaplacianCycle::Levels() const

@@ -25,6 +25,7 @@ public:
 
   void Update(const Vector<double>& D, const ExecutionContext& context) override;
   void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
+  Vector<double> CoarseEigenvectors(const ShiftedParts& parts, const ExecutionContext& context) override;
   std::vector<LevelReport> Levels() const override;
   long long Bytes() const override;
 

@@ -33,20 +33,18 @@ class FactorOnPairs : public Preconditioner<double>
 public:
   explicit FactorOnPairs(const SparseMatrix<Complex>& A)
     : Factor(A)
+    , OnPairs(this->Factor)
   {
   }
 
   void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
   {
-    this->Right = Eigen::Map<const Vector<Complex>>(reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
-    this->Factor.Apply(this->Right, this->Solution, context);
-    z = Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(this->Solution.data()), r.size());
+    this->OnPairs.Apply(r, z, context);
   }
 
 private:
   ShiftedFactor<Complex> Factor;
-  Vector<Complex> Right;
-  Vector<Complex> Solution;
+  PreconditionerOnPairs OnPairs;
 };
 
 /// Sets the numbers of each unknown, two for each row.

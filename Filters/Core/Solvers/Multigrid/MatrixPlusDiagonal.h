@@ -56,6 +56,29 @@ SparseMatrix<double> OnRealUnknowns(const SparseMatrix<Scalar>& A, const Executi
   }
 }
 
+/// A preconditioner of complex vectors on their real unknowns.
+class PreconditionerOnPairs : public Preconditioner<double>
+{
+public:
+  /// \param ofComplex is borrowed.
+  explicit PreconditionerOnPairs(Preconditioner<Complex>& ofComplex)
+    : OfComplex(ofComplex)
+  {
+  }
+
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Right = Eigen::Map<const Vector<Complex>>(AsRows<Complex>(r), r.size() / 2);
+    this->OfComplex.Apply(this->Right, this->Solution, context);
+    z = Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(this->Solution.data()), r.size());
+  }
+
+private:
+  Preconditioner<Complex>& OfComplex;
+  Vector<Complex> Right;
+  Vector<Complex> Solution;
+};
+
 /// R + D as operator on real unknowns, where R is a matrix.
 template <class Scalar>
 class MatrixPlusDiagonal : public StiffnessOperator

@@ -7,6 +7,7 @@
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Solvers/Multigrid/NestedIteration.h"
+#include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -47,6 +48,15 @@ struct StiffnessCycleOptions
   }
 };
 
+/// R x = theta M x in parts of the unknowns that nothing couples, with a shift of the eigenvalues of each.
+struct ShiftedParts
+{
+  const Vector<double>& Mass; ///< the diagonal of M; the same for so many consecutive unknowns each:
+  int UnknownsPerMass;
+  const SortedItems& Parts;
+  const std::vector<double>& Shifts;
+};
+
 /// One V-cycle for A = R + D, as a linear operator that is symmetric positive definite. Unknowns are in the
 /// order of the hierarchy, and not scaled.
 class StiffnessCycle : public Preconditioner<double>
@@ -55,6 +65,11 @@ public:
   /// Takes another D. Patterns stay. Coarse matrices, their factor and the penalised part of the finest level are computed
   /// anew. After an error the cycle must not be used.
   virtual void Update(const Vector<double>& D, const ExecutionContext& context) = 0;
+
+  /// The lowest eigenvectors of the first coarse level, prolonged: where those of the finest level may be looked for from. Their
+  /// lengths mean nothing. Zero in parts, or empty, where there are none.
+  /// \pre D is the shift times the mass in all parts.
+  virtual Vector<double> CoarseEigenvectors(const ShiftedParts&, const ExecutionContext&) { return {}; }
 
   /// Unknowns and non-zeros, finest first.
   virtual std::vector<LevelReport> Levels() const = 0;
