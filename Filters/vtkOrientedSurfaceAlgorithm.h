@@ -9,8 +9,9 @@
  *
  * Port 0: any vtkDataSet with cells of two dimensions, with or without boundary, in one or several parts; composite datasets leaf
  * by leaf. Polygons are cut into triangles inside, cells of higher order as VTK draws them. Cells of no or one dimension, hidden
- * cells and points without a cell take no part; a cell of three dimensions is an error. Points that coincide are joined
- * (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and parted inside (SetStrict). The field
+ * cells and points without a cell take no part. A dataset with cells of three dimensions becomes its skin, as vtkGeometryFilter makes
+ * it, which is the output: a vtkUnstructuredGrid where that is what came in, else a vtkPolyData. A piece of one rank is refused
+ * instead. Points that coincide are joined (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and parted inside (SetStrict). The field
  * data array SurfacePreparation counts it, as in "3 cells turned, 12 points joined":
  *
  * - components are oriented as most of their cells are; one with one side only is cut along a short seam;

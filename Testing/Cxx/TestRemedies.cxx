@@ -12,7 +12,6 @@
 #include "vtkDirectionalProlongation.h"
 #include "vtkFieldLines.h"
 #include "vtkGeometryFilter.h"
-#include "vtkImageData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkRemoveDuplicatePolys.h"
 #include "vtkTable.h"
@@ -256,50 +255,6 @@ TEST_P(Remedy, IsNotNeededWithoutStrict)
 }
 
 INSTANTIATE_TEST_SUITE_P(Messages, Remedy, testing::ValuesIn(BadSurfaces),
-  [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
-
-namespace
-{
-
-const BadSurface Volumes[] = {
-  { "Tetrahedron",
-    [] {
-      return Grid(VTK_TETRA, { 0, 1, 3, 4 });
-    },
-    { "cell 0", "three dimensions", "Extract Surface (vtkGeometryFilter)" }, ExtractedSurface },
-  { "Image",
-    []
-    {
-      auto image = vtkSmartPointer<vtkImageData>::New();
-      image->SetDimensions(3, 3, 3);
-      return image;
-    },
-    { "cell 0", "three dimensions", "Extract Surface (vtkGeometryFilter)" }, ExtractedSurface },
-};
-
-}
-
-class VolumeRemedy : public testing::TestWithParam<BadSurface>
-{
-};
-
-TEST_P(VolumeRemedy, HelpsTheVolumeThatNeedsIt)
-{
-  const Data input = GetParam().Make();
-  PrescribeSides(input);
-  const auto solver = NewSolver(input);
-  ExpectRefusal(solver, GetParam().Words);
-  vtkNew<vtkFieldLines> lines;
-  lines->SetInputData(input);
-  lines->SetInputArrayToProcess(0, 0, 0, OnCells, "Given");
-  ExpectRefusal(lines, GetParam().Words);
-  const Data helped = GetParam().Remedy(input);
-  PrescribeSides(helped);
-  solver->SetInputData(helped);
-  ExpectOutput(solver);
-}
-
-INSTANTIATE_TEST_SUITE_P(Messages, VolumeRemedy, testing::ValuesIn(Volumes),
   [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
 
 /// Triangles with points of their own, as files of type STL have them.

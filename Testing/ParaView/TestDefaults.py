@@ -11,8 +11,8 @@ import xml.etree.ElementTree as ElementTree
 
 from directionalmultigrid import vtkFiltersDirectionalFields as filters
 import paraview.simple as simple
-from vtkmodules.vtkCommonDataModel import VTK_TETRA
-from vtkmodules.vtkFiltersSources import vtkCellTypeSource
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 XML_FOLDER = pathlib.Path(sys.argv.pop())
 WEIGHTS = {"Alignment", "BoundaryWeight", "SharpEdgesWeight", "CurvatureWeight"}  # refused where they are used
@@ -76,12 +76,12 @@ class Defaults(unittest.TestCase):
     def test_ranges_agree(self):
         """C++ takes the values at the ends of a range, and refuses those beyond by one error that says which.
 
-        The error comes before that of a volume, which is no surface; so nothing runs."""
+        The error comes before that of a surface whose points are nowhere; so nothing runs."""
         for name, element, proxy, algorithm in proxies():
-            volume = vtkCellTypeSource()
-            volume.SetCellType(VTK_TETRA)
-            volume.SetBlocksDimensions(1, 1, 1)
-            algorithm.SetInputConnection(volume.GetOutputPort())
+            nowhere = vtkSphereSource()
+            nowhere.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
+            nowhere.SetRadius(1e300)
+            algorithm.SetInputConnection(nowhere.GetOutputPort())
             errors = []
             algorithm.AddObserver("ErrorEvent", listener(errors))
             for propertyName, member, child in properties(element):

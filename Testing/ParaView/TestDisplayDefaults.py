@@ -19,8 +19,7 @@ def defaults(display):
 class DisplayDefaults(unittest.TestCase):
     def setUp(self):
         self.view = simple.CreateRenderView()
-        cube = simple.Wavelet(WholeExtent=[0, 2, 0, 2, 0, 2])
-        self.volume = simple.Tetrahedralize(Input=cube)  # an error of every filter that is tested
+        self.bad = simple.Calculator(Input=simple.Sphere(), CoordinateResults=1, Function="coords/0")  # an error of every filter that is tested
         self.surface = simple.Sphere(Radius=LENGTH / 2)
 
     def tearDown(self):
@@ -33,7 +32,7 @@ class DisplayDefaults(unittest.TestCase):
 
     def check(self, kind, ports=(0,), of_a_field=False):
         """Shows a filter that fails, or one of a solver that fails, mends it and returns what shows it."""
-        first = simple.HarmonicFieldSolver(Input=self.volume) if of_a_field else kind(Input=self.volume)
+        first = simple.HarmonicFieldSolver(Input=self.bad) if of_a_field else kind(Input=self.bad)
         last = kind(Input=first) if of_a_field else first
         shown = [simple.Show(simple.OutputPort(last, port), self.view) for port in ports]
         simple.Render(self.view)
@@ -65,7 +64,7 @@ class DisplayDefaults(unittest.TestCase):
 
     def test_rendering_is_enough(self):
         pictures = []
-        for first in (self.volume, self.surface):
+        for first in (self.bad, self.surface):
             solver = simple.HarmonicFieldSolver(Input=first)
             display = simple.Show(solver, self.view)
             solver.Input = self.surface
@@ -78,7 +77,7 @@ class DisplayDefaults(unittest.TestCase):
         self.assertTrue((pictures[0] == pictures[1]).all())
 
     def test_choices_stay(self):
-        solver = simple.HarmonicFieldSolver(Input=self.volume)
+        solver = simple.HarmonicFieldSolver(Input=self.bad)
         display = simple.Show(solver, self.view)
         display.Representation = "Wireframe"
         display.GaussianRadius = 3
@@ -93,7 +92,7 @@ class DisplayDefaults(unittest.TestCase):
         solver.NumberOfDirections = 2
         self.mend(solver)
         self.assertEqual((display.ScaleFactor, display.SelectOrientationVectors), (7, "None"))
-        solver.Input = self.volume  # fails again, but there have been data
+        solver.Input = self.bad  # fails again, but there have been data
         solver.UpdatePipeline()
         self.mend(solver)
         self.assertEqual((display.ScaleFactor, display.SelectOrientationVectors), (7, "None"))

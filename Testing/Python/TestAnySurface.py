@@ -5,11 +5,13 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkArrayCalculator
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter, vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 from any_surfaces import (cells_of, grid_of, hard, hexagons, image, latitude_longitude, make, odd, out, plane, plate_with_stiffener, points_of, polygons,
                           positions_of, soup, sphere, superquadric, volumes, with_flips_and_twins)
@@ -131,6 +133,33 @@ class AnySurface(unittest.TestCase):
                     total, found, loops = topology(field)
                     self.assertAlmostEqual(total, found, delta=1e-9)
                     self.assertEqual((found, loops), (found if characteristic is None else characteristic, 0))
+
+    def test_a_volume_is_solved_on_its_skin(self):
+        """Grids of rows become surfaces, also below other filters, and when their extents change; others keep their type."""
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(0, 4, 0, 3, 0, 2)
+        solver, below = vtkHarmonicFieldSolver(), vtkArrayCalculator()
+        solver.SetInputConnection(source.GetOutputPort())
+        below.SetInputConnection(solver.GetOutputPort())
+        for depth, kind, cells in ((2, vtkPolyData, 52), (0, vtkImageData, 12), (1, vtkPolyData, 38)):
+            source.SetWholeExtent(0, 4, 0, 3, 0, depth)
+            field = update(below)
+            self.assertIs(type(field), kind)
+            self.assertEqual(field.GetNumberOfCells(), cells)
+        for name in ("ring_of_5", "at_an_edge_of_6"):
+            data = volumes()[name][0]
+            add(data.GetCellData(), "Number", np.arange(data.GetNumberOfCells()))
+            skin = out(vtkGeometryFilter(), data)
+            field = solved(data)
+            self.assertIs(type(field), type(data))
+            np.testing.assert_array_equal(directions(field), directions(solved(skin)))
+            np.testing.assert_array_equal(values(field.GetCellData(), "Number"), values(skin.GetCellData(), "Number"))
+            self.assertIn("three dimensions", field.GetFieldData().GetAbstractArray("Skin").GetValue(0))
+        blocks = vtkMultiBlockDataSet()
+        for k, leaf in enumerate((out(source), data, image())):
+            blocks.SetBlock(k, leaf)
+        field = solved(blocks)
+        self.assertEqual([type(field.GetBlock(k)) for k in range(3)], [vtkPolyData, type(data), vtkImageData])
 
     def test_layers_along_a_wall_are_no_rounding(self):
         data = odd()["layers_along_a_wall"][0]

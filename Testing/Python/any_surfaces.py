@@ -497,7 +497,6 @@ def odd():
     layers, cells_of_layers = cells_of_a_plane(8, 50)
     layers *= 10
     layers[:, 1] = 5e-6 * (1.2 ** (layers[:, 1] / 10) - 1)
-    volume = "three dimensions.*Extract Surface"
     unused = np.vstack([places, [(1e9, 0, 0), (np.nan, 0, 0)]])
     wedge = np.vstack([places, np.random.default_rng(1).normal(size=(6, 3))])
     return {
@@ -508,7 +507,7 @@ def odd():
              (0, 2, 0), (1, 1, 0.1), (2, 1, 0.1), (1, 2, 0.1), (2, 2, 0.1)], [(VTK_LAGRANGE_QUADRILATERAL, range(16))]), ""),
         "a_bezier_triangle": (grid_of_types([(0, 0, 0), (3, 0, 0), (0, 3, 0), (1.5, 0, 0.2), (1.5, 1.5, 0.2), (0, 1.5, 0.2)],
                                             [(VTK_BEZIER_TRIANGLE, range(6))]), ""),
-        "a_wedge_beside_quads": (grid_of_types(wedge, [(VTK_QUAD, q) for q in quads] + [(VTK_WEDGE, range(63, 69))]), volume),
+        "a_wedge_beside_quads": (grid_of_types(wedge, [(VTK_QUAD, q) for q in quads] + [(VTK_WEDGE, range(63, 69))]), ""),
         "strip_beside_quads": (strip_beside_quads(), ""),
         "unused_points_far_away": (polygons(unused, quads), ""),
         "a_point_nowhere": (polygons(nowhere, quads), "point 14 has a coordinate that is not finite"),

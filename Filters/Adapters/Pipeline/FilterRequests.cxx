@@ -1,6 +1,7 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 
 #include "Adapters/Data/CellChecks.h"
+#include "Adapters/Data/SkinOfVolume.h"
 #include "Adapters/Data/WithoutStrips.h"
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
@@ -154,14 +155,41 @@ private:
   std::vector<vtkInformationVector*> Ports;
 };
 
+/// Adds a text to field data of the first output, and to VTK's output the first time that this filter does so.
+void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, vtkInformationIntegerKey* isTold,
+  const char* name, const std::string& note)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(name);
+  text->InsertNextValue(note);
+  vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
+  if (!algorithm->GetInformation()->Has(isTold))
+  {
+    algorithm->GetInformation()->Set(isTold, 1);
+    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
+  }
+}
+
+/// \return what a filter works on, of cells of two dimensions, without strips. \pre CheckCells.
+vtkSmartPointer<vtkDataSet> SurfaceOfInput(vtkDataSet* given)
+{
+  return IsVolume(given) ? SkinOfVolume(given) : WithoutStrips(given);
+}
+
 void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const ExecutionContext& context)
 {
   vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
   CheckCells(given, "the surface");
-  const vtkSmartPointer<vtkDataSet> surface = WithoutStrips(given);
+  const vtkSmartPointer<vtkDataSet> surface = SurfaceOfInput(given);
   make(InputsWithSurface(algorithm, inputs, surface).Get(), context);
   CheckOutputs(outputs, surface);
+  if (IsVolume(given))
+  {
+    static vtkInformationIntegerKey* const isTold =
+      vtkInformationIntegerKey::MakeKey("SKIN_IS_TOLD", "DirectionalMultigrid");
+    TellOnce(algorithm, outputs, isTold, "Skin", "the dataset has cells of three dimensions; its skin is the surface");
+  }
 }
 
 /// Collective: the cells of all datasets that come in, before anything reads them.
@@ -196,22 +224,6 @@ std::string MakeInPieces(const RanksOfPipeline& ranks, const MakeInPiecesFunctio
     ranks.Together([&] { CheckOutputs(outputs, surface); });
   }
   return reason;
-}
-
-/// Adds the note to field data of the first output, and to VTK's output the first time that this filter does so.
-void ReportGathering(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& note)
-{
-  static vtkInformationIntegerKey* const reported =
-    vtkInformationIntegerKey::MakeKey("GATHERING_IS_TOLD", "DirectionalMultigrid");
-  vtkNew<vtkStringArray> text;
-  text->SetName("Gathered");
-  text->InsertNextValue(note);
-  vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
-  if (!algorithm->GetInformation()->Has(reported))
-  {
-    algorithm->GetInformation()->Set(reported, 1);
-    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
-  }
 }
 
 /// Collective: the pieces of all ranks, worked on by the first one.
@@ -259,7 +271,9 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   }
   if (ranks.Rank() == 0 && !gathered.Note().empty())
   {
-    ReportGathering(algorithm, outputs, gathered.Note() + ", since " + reason);
+    static vtkInformationIntegerKey* const isTold =
+      vtkInformationIntegerKey::MakeKey("GATHERING_IS_TOLD", "DirectionalMultigrid");
+    TellOnce(algorithm, outputs, isTold, "Gathered", gathered.Note() + ", since " + reason);
   }
 }
 
@@ -298,9 +312,12 @@ int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* out
   vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
   vtkInformation* const output = outputs->GetInformationObject(0);
   vtkDataObject* const former = output->Get(vtkDataObject::DATA_OBJECT());
-  if (!input) // the executive says so, but after this
+  if (!input || IsStructuredVolume(inputs[0]->GetInformationObject(0))) // none: the executive says so, but after this
   {
-    output->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkPolyData>::New());
+    if (!vtkPolyData::SafeDownCast(former))
+    {
+      output->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkPolyData>::New());
+    }
   }
   else if (!former || !former->IsA(input->GetClassName()))
   {
@@ -399,7 +416,7 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
     failed(error.what());
     if (HandsSurfaceOn(algorithm))
     {
-      vtkDataObject::GetData(outputs, 0)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+      vtkDataObject::GetData(outputs, 0)->ShallowCopy(SurfaceOfInput(vtkDataSet::GetData(inputs[0])));
     }
     return 1; // nothing failed on the way, which the pipeline would add as an error of its own
   }

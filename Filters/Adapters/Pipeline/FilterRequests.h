@@ -31,7 +31,8 @@ public:
 /// FillInputPortInformation of the surface: any dataset, of which MeshFromDataSet takes the cells of two dimensions.
 int TakeAnyDataSet(vtkInformation* port);
 
-/// RequestDataObject of filters whose first output is of the type of their first input, as a vtkPassInputTypeAlgorithm.
+/// RequestDataObject of filters whose first output is of the type of their first input, as a vtkPassInputTypeAlgorithm; a vtkPolyData
+/// where that is an image or another grid of rows with cells of three dimensions.
 /// Other outputs come from VTK, by FillOutputPortInformation.
 int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
