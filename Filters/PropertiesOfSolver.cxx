@@ -61,7 +61,6 @@ FieldOptions OptionsOf(Filter* filter)
   options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());
   options.Solver.Kind = static_cast<SolverKind>(filter->GetSolver());
   options.Solver.ExpectedSolves = filter->GetExpectedSolves();
-  options.Solver.CompareWithCholesky = filter->GetCompareWithCholesky();
   return options;
 }
 

@@ -108,7 +108,6 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   this->Rotation = problem.Rotation.Everywhere * 180.0 / dmg::Pi;
   this->Solver = static_cast<int>(problem.Options.Solver.Kind);
   this->ExpectedSolves = problem.Options.Solver.ExpectedSolves;
-  this->CompareWithCholesky = problem.Options.Solver.CompareWithCholesky;
   this->CoarseSpace = static_cast<int>(problem.Options.CoarseSpace);
   this->Tolerance = problem.Stop.RelativeTolerance;
   this->MaximumNumberOfIterations = problem.Stop.MaximumIterations;
@@ -376,7 +375,6 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "CoarseSpace: " << (this->CoarseSpace == LinearInterpolation ? "LinearInterpolation" : "StructurePreserving")
      << "\n";
-  os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";

@@ -292,15 +292,6 @@ public:
 
   ///@{
   /**
-   * Whether the system is factored as well, to measure the error of every cycle. Default off.
-   */
-  vtkSetMacro(CompareWithCholesky, bool);
-  vtkGetMacro(CompareWithCholesky, bool);
-  vtkBooleanMacro(CompareWithCholesky, bool);
-  ///@}
-
-  ///@{
-  /**
    * The solve stops at this RelativeResidual, an estimate of the relative error in the energy norm. At the default, directions are within 1 degree where the
    * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher shows. Far
    * from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and
@@ -564,7 +555,6 @@ private:
   int Solver;
   int ExpectedSolves;
   int CoarseSpace;
-  bool CompareWithCholesky;
   double Tolerance;
   int MaximumNumberOfIterations;
   bool UnitLength;

@@ -66,7 +66,6 @@ struct SystemStage
 {
   SystemKey Key;
   HarmonicProblem Problem;
-  std::unique_ptr<HarmonicProblem> Reference; ///< factors the same system, to compare; or null
 };
 
 /// Whether two options differ in nothing but the weights of energies.
@@ -112,12 +111,6 @@ void ClearSingularVertices(Field& field)
   }
 }
 
-bool NeedsReference(const SolverOptions& options, const SolverMethod& method)
-{
-  const bool isRule = method.HasSweeps && options.Nested.Rule == SweepRule::WhileErrorFalls;
-  return (options.CompareWithCholesky || isRule) && !method.IsDirect;
-}
-
 }
 
 /// Each stage is built as a whole and then put in place, and takes away the later ones that refer to it: a run that stops
@@ -160,8 +153,6 @@ private:
   void MakeSystem(const PlannedSetup& setup, const FieldConstraints& constraints, const FieldOptions& options,
     const ExecutionContext& context);
   bool UpdateSystem(SystemKey& key, const Penalties& penalties, const ExecutionContext& context);
-  std::unique_ptr<HarmonicProblem> MakeReference(
-    const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const;
   void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, const PlannedSetup& setup,
     const ExecutionContext& context);
   /// The solution, diffused at unit length.
@@ -238,28 +229,12 @@ void FieldSolver::Internals::MakeSystem(const PlannedSetup& setup, const FieldCo
   {
     return;
   }
-  const bool isCompared = NeedsReference(options.Solver, *setup.Choice.Method);
-  std::unique_ptr<HarmonicProblem> reference;
-  HarmonicProblem problem(setup.Levels, penalties, options.Smoothness, options.Solver, setup.Choice,
-    PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0));
-  if (isCompared)
-  {
-    reference = this->MakeReference(penalties, options, PartOfContext(context, 0.5, 1.0));
-  }
+  HarmonicProblem problem(
+    setup.Levels, std::move(penalties), options.Smoothness, options.Solver, setup.Choice, context);
   this->KeyOfSolution.reset();
   this->Solution.reset();
-  this->System.reset(new SystemStage{ std::move(key), std::move(problem), std::move(reference) });
+  this->System.reset(new SystemStage{ std::move(key), std::move(problem) });
   ++this->Counts.Systems;
-}
-
-std::unique_ptr<HarmonicProblem> FieldSolver::Internals::MakeReference(
-  const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const
-{
-  const SolverPlan factored;
-  auto setup = MakeSetup(
-    this->Surface, *this->Discretisation, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
-  return std::make_unique<HarmonicProblem>(
-    std::move(setup), penalties, options.Smoothness, options.Solver, factored.Choice, PartOfContext(context, 0.3, 1.0));
 }
 
 /// Other constrained elements or weights. \return whether no more than these has changed.
@@ -272,12 +247,7 @@ bool FieldSolver::Internals::UpdateSystem(SystemKey& key, const Penalties& penal
   // Half-updated, it must not be seen again.
   std::unique_ptr<SystemStage> system = std::move(this->System);
   this->KeyOfSolution.reset();
-  const double smoothness = key.Options.Smoothness;
-  if (system->Reference)
-  {
-    system->Reference->Update(penalties, smoothness, PartOfContext(context, 0.0, 0.5));
-  }
-  system->Problem.Update(penalties, smoothness, PartOfContext(context, system->Reference ? 0.5 : 0.0, 1.0));
+  system->Problem.Update(penalties, key.Options.Smoothness, context);
   system->Key = std::move(key);
   this->System = std::move(system);
   ++this->Counts.Systems;
@@ -292,19 +262,9 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
   {
     return;
   }
-  Vector<double> reference;
-  if (this->System->Reference)
-  {
-    constexpr double Rounding = 1e-13;
-    constexpr int Corrections = 10;
-    reference = SolveInUnits(*this->System->Reference, key.Values, {}, {}, { Rounding, Corrections },
-      PartOfContext(context, 0.0, 0.2), key.Source)
-                  .Unknowns;
-  }
   const Vector<double> none;
-  auto [unknowns, report] =
-    SolveInUnits(this->System->Problem, key.Values, this->Solution ? this->Solution->Unknowns : none, reference, stop,
-      PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0), key.Source);
+  auto [unknowns, report] = SolveInUnits(
+    this->System->Problem, key.Values, this->Solution ? this->Solution->Unknowns : none, stop, context, key.Source);
   this->Discretisation->CentreFree(constraints, unknowns);
   if (this->Discretisation->HasHarmonicFields() && !setup.Choice.Method->IsDirect && report.Converged &&
     report.Warnings.empty()) // else a factor has taken over

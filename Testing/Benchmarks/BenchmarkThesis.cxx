@@ -44,6 +44,7 @@ const Regime Prescribed = { "0.5 %", 0, 0.005 };
 constexpr double ErrorOfConvergence = 1e-3; // of tables 7.14 to 7.16
 constexpr int LargestNumberOfCycles = 150;
 constexpr int LargestNumberOfSweeps = 100; // per level, of nested iterations
+constexpr double LeastImprovement = 1e-3;  // of the error, by each of them
 
 struct Options
 {
@@ -126,7 +127,7 @@ std::vector<Problem> Problems(
       std::optional<test::FieldProblem> problem;
       Outcome outcome;
       outcome.Prepare = 1e3 * Seconds([&] { problem.emplace(surface, &operators, constraints, asked, context); });
-      problem->Solve(constraints.Values, {}, stop, context, truth);
+      problem->Solve(constraints.Values, {}, stop, context, { truth, LeastImprovement });
       outcome.Report = problem->Report();
       outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
       return outcome;
@@ -167,8 +168,7 @@ FieldOptions FullMultigrid(const Problem& problem)
 FieldOptions With(FieldOptions options, SolverKind kind)
 {
   options.Solver.Kind = kind;
-  options.Solver.Nested.Rule = SweepRule::WhileErrorFalls;
-  options.Solver.Nested.MaximumSweeps = LargestNumberOfSweeps;
+  options.Solver.Nested.Sweeps = LargestNumberOfSweeps;
   return options;
 }
 

@@ -76,7 +76,6 @@ TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
   {
     FieldOptions options;
     options.Field.Kind = kind;
-    options.Solver.Nested.Rule = SweepRule::WhileErrorFalls; // needs a reference on more levels
     const FieldConstraints constraints = MakeFieldConstraints(surface, { WaveOfDirections(mesh, 50), {} }, options);
     const auto solve = [&](SolverKind solver)
     {

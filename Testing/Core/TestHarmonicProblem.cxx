@@ -75,7 +75,7 @@ TEST(HarmonicProblem, AgreesWithCholesky)
           for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
           {
             HarmonicProblem problem = on.Problem(elements, weights, solver);
-            const Vector<double> field = problem.Solve(values, {}, expected, Tight(), SerialContext());
+            const Vector<double> field = problem.Solve(values, {}, { expected }, Tight(), SerialContext());
             const SolveReport& report = problem.Report();
             EXPECT_TRUE(report.Converged) << report.Solver;
             EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
@@ -147,7 +147,6 @@ TEST(HarmonicProblem, HardConstraintsHoldExactly)
     const Vector<double> values = on.RandomValues(elements, 3702);
     HarmonicProblem problem = on.Problem(elements, weights);
     const Penalties prescribed = on.Prescribed(elements, weights);
-    EXPECT_EQ(problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
     const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
     EXPECT_EQ(Vector<double>(field(prescribed.Unknowns)), values);
     EXPECT_TRUE(std::isnan(problem.Report().Iterations.back().Error)) << "without a reference";
@@ -182,8 +181,6 @@ TEST(HarmonicProblem, UnreachedComponentsHoldTheSmoothestField)
       const Vector<double> values = on.RandomValues(elements, 3703);
       HarmonicProblem problem = on.Problem(elements, weights);
       EXPECT_TRUE(problem.Report().Warnings.empty());
-      const int held = constraints == ConstraintKind::Hard ? static_cast<int>(values.size()) : 0;
-      EXPECT_EQ(problem.NumberOfFree(), on.NumberOfUnknowns() - held);
       // Whatever stands there at the start.
       const Vector<double> start = Vector<double>::Ones(on.NumberOfUnknowns());
       Vector<double> field = problem.Solve(values, start, {}, Tight(), SerialContext());
@@ -254,7 +251,6 @@ TEST(HarmonicProblem, UpdateIsANewProblem)
       const auto& [elements, weights] = cases[k];
       updated.Update(on.Prescribed(elements, weights), weights.Smoothness, SerialContext());
       HarmonicProblem fresh = on.Problem(elements, weights);
-      EXPECT_EQ(updated.NumberOfFree(), fresh.NumberOfFree());
       EXPECT_EQ(updated.Report().Warnings, fresh.Report().Warnings);
       EXPECT_EQ(updated.Report().Solver, fresh.Report().Solver);
       EXPECT_EQ(updated.Report().Bytes, fresh.Report().Bytes);

@@ -72,13 +72,9 @@ TEST(FieldSolver, EachOptionRepeatsItsStages)
     { "nested iterations", [](FieldOptions& o) { o.Solver.Kind = SolverKind::NestedIterations; }, everything },
     { "ExpectedSolves", [](FieldOptions& o) { o.Solver.ExpectedSolves = 2; }, system },
     { "Sweeps", [](FieldOptions& o) { o.Solver.Sweeps = 3; }, system },
-    { "Nested.Rule", [](FieldOptions& o) { o.Solver.Nested.Rule = SweepRule::WhileResidualFalls; }, system },
     { "Nested.Sweeps", [](FieldOptions& o) { o.Solver.Nested.Sweeps = 7; }, system },
-    { "Nested.LeastImprovement", [](FieldOptions& o) { o.Solver.Nested.LeastImprovement = 0.1; }, system },
-    { "Nested.MaximumSweeps", [](FieldOptions& o) { o.Solver.Nested.MaximumSweeps = 8; }, system },
     { "Nested.Cycles", [](FieldOptions& o) { o.Solver.Nested.Cycles = 1; }, system },
     { "StartingLevel", [](FieldOptions& o) { o.Solver.StartingLevel = 1; }, everything },
-    { "CompareWithCholesky", [](FieldOptions& o) { o.Solver.CompareWithCholesky = true; }, system },
   };
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
   for (const Change& change : changes)
@@ -242,7 +238,6 @@ TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
         {
           options.Solver.Kind = solver;
           options.CoarseSpace = space;
-          options.Solver.CompareWithCholesky = true;
           options.Solver.Nested.Cycles = 60;
           options.Solver.Nested.Sweeps = 0;
           fields.SetOperators(std::make_shared<const ProlongationOperators>(on.Operators));
@@ -257,7 +252,6 @@ TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
           {
             EXPECT_LT((solve(solver, space) - direct).norm(), 1e-7 * direct.norm())
               << static_cast<int>(kind) << static_cast<int>(solver) << static_cast<int>(space);
-            EXPECT_LT(fields.Report().Iterations.back().Error, 1e-7);
           }
         }
       }
@@ -300,39 +294,35 @@ TEST(FieldSolver, AgreesWithTheTextbookSystem)
   }
 }
 
-// Set-up, system, what it is compared with and the solve share one way from 0 to 1. What was complete when a run was
+// Set-up, system and solve share one way from 0 to 1. What was complete when a run was
 // stopped is kept, and changes nothing.
 TEST(FieldSolver, ReportsProgressOnceAndStopsWhenAsked)
 {
   const PreparedSurface on(IrregularTorus(48, 24, 4));
   for (DiscretisationKind kind : AllKinds)
   {
-    for (bool isCompared : { false, true })
+    SCOPED_TRACE(static_cast<int>(kind));
+    FieldOptions options;
+    options.Field.Kind = kind;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    const Constraints directions = Prescriptions(on.Framed, 97);
+    TbbContext all(2);
+    SolverOfUnknowns fields(on.Mesh);
+    const Vector<double> expected = fields.Solve(directions, options, Tight(), all);
+    const std::vector<double>& progress = all.Progress();
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_EQ(progress.front(), 0.0);
+    EXPECT_EQ(progress.back(), 1.0);
+    for (std::size_t count = 1; count <= progress.size(); ++count)
     {
-      SCOPED_TRACE(static_cast<int>(kind));
-      FieldOptions options;
-      options.Field.Kind = kind;
-      options.Solver.Kind = SolverKind::ConjugateGradients;
-      options.Solver.CompareWithCholesky = isCompared;
-      const Constraints directions = Prescriptions(on.Framed, 97);
-      TbbContext all(2);
-      SolverOfUnknowns fields(on.Mesh);
-      const Vector<double> expected = fields.Solve(directions, options, Tight(), all);
-      const std::vector<double>& progress = all.Progress();
-      EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end())) << isCompared;
-      EXPECT_EQ(progress.front(), 0.0);
-      EXPECT_EQ(progress.back(), 1.0);
-      for (std::size_t count = 1; count <= progress.size(); ++count)
+      TbbContext context(2);
+      context.CancelAfter(static_cast<int>(count));
+      SolverOfUnknowns stopped(on.Mesh);
+      EXPECT_THROW(stopped.Solve(directions, options, Tight(), context), Cancelled);
+      EXPECT_EQ(context.Progress().size(), count);
+      if (count % 7 == 0)
       {
-        TbbContext context(2);
-        context.CancelAfter(static_cast<int>(count));
-        SolverOfUnknowns stopped(on.Mesh);
-        EXPECT_THROW(stopped.Solve(directions, options, Tight(), context), Cancelled);
-        EXPECT_EQ(context.Progress().size(), count);
-        if (count % 7 == 0)
-        {
-          EXPECT_EQ(stopped.Solve(directions, options, Tight()), expected);
-        }
+        EXPECT_EQ(stopped.Solve(directions, options, Tight()), expected);
       }
     }
   }
@@ -397,19 +387,15 @@ TEST(FieldSolver, StartedOnTheFinestLevelIsExact)
   }
 }
 
-TEST(FieldSolver, NestedIterationsComeCloserThanTheirStartByEachRule)
+TEST(FieldSolver, NestedIterationsComeCloserThanTheirStart)
 {
   OnStoredLevels on;
   for (const DiscretisationKind kind : KindsWithDirections)
   {
     const double sketch = on.Error(OptionsWith(kind, SolverKind::CoarseProlongation));
-    for (const SweepRule rule : { SweepRule::FixedNumber, SweepRule::WhileErrorFalls, SweepRule::WhileResidualFalls })
-    {
-      FieldOptions options = OptionsWith(kind, SolverKind::NestedIterations);
-      options.Solver.Nested.Cycles = 0;
-      options.Solver.Nested.Rule = rule;
-      EXPECT_LT(on.Error(options), sketch);
-    }
+    FieldOptions options = OptionsWith(kind, SolverKind::NestedIterations);
+    options.Solver.Nested.Cycles = 0;
+    EXPECT_LT(on.Error(options), sketch);
   }
 }
 

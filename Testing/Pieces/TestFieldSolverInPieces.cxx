@@ -265,7 +265,6 @@ TEST(FieldSolverInPieces, ReasonsToGatherAreReported)
   EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Field.Kind = DiscretisationKind::PowerField; }), "");
   EXPECT_NE(reasonOf([](FieldProblem& p) { p.Singularities.emplace(); }), "");
   EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Solver.Kind = SolverKind::Cholesky; }), "");
-  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Solver.CompareWithCholesky = true; }), "");
   EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Options.Field.Kind = DiscretisationKind::ScalarFunction; }), "");
   EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Features.CurvatureWeight = 1.0; }), "");
 }

@@ -62,7 +62,7 @@ void FieldProblem::Update(
 }
 
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,
-  const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& reference)
+  const StoppingCriteria& stop, const ExecutionContext& context, const ReferenceSolution& reference)
 {
   return this->Problem->Solve(values, start, reference, stop, context);
 }

@@ -35,7 +35,7 @@ public:
   void Update(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
 
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const StoppingCriteria& stop,
-    const ExecutionContext& context, const Vector<double>& reference = {});
+    const ExecutionContext& context, const ReferenceSolution& reference = {});
 
   Eigen::MatrixXd HarmonicFields() const { return this->Problem->Setup().HarmonicFields(); }
   const SolveReport& Report() const { return this->Problem->Report(); }

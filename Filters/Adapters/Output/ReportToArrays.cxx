@@ -62,7 +62,6 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
     addColumn(ArrayNames::Energy, &IterationReport::Energy);
   }
   addIfMeasured(ArrayNames::MassResidual, &IterationReport::MassResidual);
-  addIfMeasured(ArrayNames::Error, &IterationReport::Error);
   vtkNew<vtkIntArray> returned;
   returned->SetName(ArrayNames::Returned);
   returned->SetNumberOfValues(size);

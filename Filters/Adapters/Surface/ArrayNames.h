@@ -69,7 +69,6 @@ inline constexpr const char* RelativeResidual = "RelativeResidual";
 inline constexpr const char* Returned = "Returned";
 inline constexpr const char* Energy = "Energy";
 inline constexpr const char* MassResidual = "MassResidual";
-inline constexpr const char* Error = "Error";
 
 // field data: the surface on its way in
 inline constexpr const char* SurfacePreparation = "SurfacePreparation";

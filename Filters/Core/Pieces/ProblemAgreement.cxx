@@ -21,8 +21,7 @@ std::string TextOf(const FieldOptions& options)
   return "kind " + number(options.Field.Kind) + ", N = " + std::to_string(options.Field.N) + ", areas " +
     number(options.Field.Areas) + ", smoothness " + ShortText(options.Smoothness) + ", alignment " +
     ShortText(options.Alignment) + (options.Constraints == ConstraintKind::Hard ? ", hard" : ", soft") +
-    ", coarse space " + number(options.CoarseSpace) + ", solver " + number(options.Solver.Kind) +
-    (options.Solver.CompareWithCholesky ? ", compared" : "");
+    ", coarse space " + number(options.CoarseSpace) + ", solver " + number(options.Solver.Kind);
 }
 
 std::string TextOf(const FeatureOptions& features)

@@ -30,10 +30,6 @@ std::string ReasonToGather(const FieldProblem& problem)
   {
     return "the method " + MethodOf(kind).Name + " runs on one process, unlike conjugate gradients";
   }
-  if (options.Solver.CompareWithCholesky)
-  {
-    return "the system is factored on one process, to compare with";
-  }
   return "";
 }
 

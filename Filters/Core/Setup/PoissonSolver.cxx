@@ -144,7 +144,7 @@ Vector<double> PoissonSolver::Solve(const Vector<double>& source, const Vector<d
   {
     of.Functions.VanishAtPinned(constraints, shifted);
   }
-  auto [u, report] = SolveInUnits(*of.Problem, constraints.Values, shifted, {}, stop, context, constraints.Source);
+  auto [u, report] = SolveInUnits(*of.Problem, constraints.Values, shifted, stop, context, constraints.Source);
   of.Report = std::move(report);
   of.Functions.CentreFree(constraints, u);
   return std::move(u);

@@ -52,7 +52,7 @@ public:
   void Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context);
   /// Solves for what x differs by from \p held, and adds that.
   /// \param b of all. \param x a start, or empty.
-  void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const Vector<double>& reference,
+  void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const ReferenceSolution& reference,
     const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
   /// On the components without prescriptions.
   void FindSmoothest(const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
@@ -189,7 +189,7 @@ void HarmonicProblem::Internals::WarnOfUndetermined(int number)
 }
 
 void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held,
-  const Vector<double>& reference, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
+  const ReferenceSolution& reference, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
 {
   Vector<double> difference; // b - A held
   this->System.Matrix().Apply(held, difference, context);
@@ -200,7 +200,8 @@ void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b,
   measure.EnergyScale = this->System.Smoothness();
   measure.Offset = &held;
   measure.RightHandSide = &b;
-  measure.Reference = reference;
+  measure.Reference = reference.Unknowns;
+  measure.LeastImprovement = reference.LeastImprovement;
   if (x.size() > 0)
   {
     x -= held;
@@ -341,12 +342,6 @@ void HarmonicProblem::Update(Penalties prescribed, double smoothness, const Exec
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }
 
-int HarmonicProblem::NumberOfFree() const
-{
-  return this->Internal->System.Setup().Hierarchy->NumberOfUnknowns() -
-    static_cast<int>(this->Internal->System.Held().size());
-}
-
 LinearSystem HarmonicProblem::Equations(
   const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source) const
 {
@@ -365,7 +360,7 @@ const SolveReport& HarmonicProblem::Report() const
 }
 
 Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
+  const ReferenceSolution& reference, const StoppingCriteria& stop, const ExecutionContext& context,
   const Vector<double>& source)
 {
   Internals& of = *this->Internal;
@@ -398,7 +393,8 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   {
     // A factor needs no start: what it would improve is found at once.
     x = of.Method.IsDirect ? Vector<double>() : inOrder(start);
-    of.SolveWithPrescriptions(b, of.System.HeldByPenalties(values), inOrder(reference), stop, x, context);
+    of.SolveWithPrescriptions(b, of.System.HeldByPenalties(values),
+      { inOrder(reference.Unknowns), reference.LeastImprovement }, stop, x, context);
   }
   if (!unprescribed.empty())
   {

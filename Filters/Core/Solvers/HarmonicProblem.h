@@ -16,6 +16,13 @@
 namespace dmg
 {
 
+/// A solution by other means, with which benchmarks and tests compare iterates. See ConvergenceMeasure.
+struct ReferenceSolution
+{
+  Vector<double> Unknowns; ///< one per unknown; empty: none
+  double LeastImprovement = 0.0;
+};
+
 /// The linear system of a smoothest field, and its solver: the stages system and solve.
 ///
 ///   soft  argmin  s x^T R x + sum_b m_b |x_b - y_b|^2
@@ -51,19 +58,15 @@ public:
   /// an error the problem must not be used.
   void Update(Penalties prescribed, double smoothness, const ExecutionContext& context);
 
-  /// Unknowns to solve for.
-  int NumberOfFree() const;
-
   /// Solve for the prescribed values.
   /// \param values y, one per prescribed unknown.
   /// \param start first guess, one per unknown, or empty for zero; not of factorisations and full multigrid.
-  /// \param reference the solution, for the Error of every row of the history, or empty.
+  /// \param reference for the Error of every row of the history.
   /// \param source what is minimised loses 2 source^T x; one per unknown, or empty for zero. Not of full multigrid.
   /// \return one per unknown. Not converged: the best vector reached; see Report(). Full multigrid approximates, and
   ///   not to converge is no warning.
-  /// \throw InvalidInput full multigrid while the error falls, without a reference.
   /// \throw Cancelled
-  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const Vector<double>& reference,
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const ReferenceSolution& reference,
     const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& source = {});
 
   /// The equations (R + D) x = D y, divided by s, that Solve solves: a matrix for the caller's own solver. See

@@ -27,12 +27,11 @@ Vector<double> TimesPowerOfTwo(const Vector<double>& values, int exponent)
 }
 
 Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
-  const Vector<double>& source)
+  const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& source)
 {
   const int unit = ExponentOf(values, source);
-  const Vector<double> unknowns = problem.Solve(TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit),
-    TimesPowerOfTwo(reference, -unit), stop, context, TimesPowerOfTwo(source, -unit));
+  const Vector<double> unknowns = problem.Solve(
+    TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit), {}, stop, context, TimesPowerOfTwo(source, -unit));
   Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
   if (!solution.Unknowns.allFinite())
   {

@@ -17,8 +17,7 @@ struct Solution
 /// run out of its range.
 /// \throw SolverFailure the solution is not finite.
 Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
-  const Vector<double>& source = {});
+  const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& source = {});
 
 }
 

@@ -35,20 +35,18 @@ struct SolverOptions
   int ExpectedSolves = 1;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
   int Sweeps = 2;
-  /// The sweeps of nested iterations.
+  /// The sweeps and cycles of nested iterations.
   SweepOptions Nested;
   /// The level that is solved exactly; negative or beyond the coarsest: the coarsest.
   int StartingLevel = -1;
-  /// Factors the fine system as well, for the Error of every row of the history.
-  bool CompareWithCholesky = false;
 
   friend bool operator==(const SolverOptions& a, const SolverOptions& b)
   {
     const auto members = [](const SolverOptions& options)
     {
       // A member that is forgotten here does not compile.
-      const auto& [kind, solves, sweeps, nested, level, isCompared] = options;
-      return std::tie(kind, solves, sweeps, nested, level, isCompared);
+      const auto& [kind, solves, sweeps, nested, level] = options;
+      return std::tie(kind, solves, sweeps, nested, level);
     };
     return members(a) == members(b);
   }

@@ -322,7 +322,7 @@ TYPED_TEST(AnyGalerkinCycle, NearlyZeroDiagonalsSurvive)
   NestedIteration<TypeParam> nested(A, problem.P, {}, SerialContext());
   SolveReport report;
   Vector<TypeParam> x;
-  nested.Solve(b, { SweepRule::FixedNumber, 100 }, x, report, SerialContext());
+  nested.Solve(b, { 100 }, x, report, SerialContext());
   EXPECT_EQ(x.tail(3 * pieces).norm(), 0.0);
   EXPECT_LE((x - expected).norm(), 0.01 * expected.norm());
 }

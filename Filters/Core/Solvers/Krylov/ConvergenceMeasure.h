@@ -31,6 +31,9 @@ struct ConvergenceMeasure
   const Vector<Scalar>* RightHandSide = nullptr; ///< b
   /// The solution by other means, one value per unknown; empty if there is none, then Error is NaN.
   Vector<Scalar> Reference;
+  /// Full multigrid leaves a level after the first sweep that lowers Error by less than this fraction of it (thesis, section
+  /// 6.5.2). Zero: after SweepOptions::Sweeps, which is else the limit. \pre a Reference, if not zero.
+  double LeastImprovement = 0.0;
 
   /// \throw InvalidInput sizes differ.
   void Check(int numberOfUnknowns) const;

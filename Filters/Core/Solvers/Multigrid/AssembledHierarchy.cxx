@@ -257,6 +257,7 @@ public:
     if (measure.Reference.size() > 0)
     {
       ofFree.Reference = this->Free.Restricted(measure.Reference);
+      ofFree.LeastImprovement = measure.LeastImprovement;
     }
     Vector<Scalar> solution;
     this->Nested.Solve(this->Free.Restricted(b), sweeps, solution, report, context, &ofFree);

@@ -1,11 +1,14 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 
+#include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Multigrid/VCycle.h"
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <string>
 
 namespace dmg
@@ -15,27 +18,66 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// b - A x.
-template <class Value>
-Vector<Value> Residual(
-  const TriangularParts<Value>& A, const Vector<Value>& b, const Vector<Value>& x, const ExecutionContext& context)
+/// The matrix of a level, whose diagonal is one.
+template <class Scalar>
+class LevelOperator : public LinearOperator<Scalar>
 {
-  constexpr int Grain = 4096;
-  Vector<Value> r(b.size());
-  context.ParallelFor(0, static_cast<int>(b.size()), Grain,
-    [&](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
+public:
+  explicit LevelOperator(const TriangularParts<Scalar>& matrix)
+    : A(matrix)
+  {
+  }
+
+  int Size() const override { return static_cast<int>(this->A.Lower.rows()); }
+
+  double Apply(const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const override
+  {
+    y.resize(x.size());
+    return SumOverBlocks<double>(this->Size(), context,
+      [this, &x, &y](int first, int last)
       {
-        r[i] = b[i] - x[i] - RowTimes(A.Lower, i, x.data()) - RowTimes(A.Upper, i, x.data());
-      }
-    });
-  return r;
-}
+        for (int i = first; i < last; ++i)
+        {
+          y[i] = x[i] + RowTimes(this->A.Lower, i, x.data()) + RowTimes(this->A.Upper, i, x.data());
+        }
+        const int count = last - first;
+        return Eigen::numext::real(x.segment(first, count).dot(y.segment(first, count)));
+      });
+  }
+
+private:
+  const TriangularParts<Scalar>& A;
+};
+
+/// The V-cycle from a level down. It overwrites b and x of these levels.
+template <class Scalar>
+class LevelCycle : public Preconditioner<Scalar>
+{
+public:
+  LevelCycle(
+    ScaledHierarchy<Scalar, Scalar>& levels, const std::vector<std::unique_ptr<Smoother<Scalar>>>& smoothers, int level)
+    : Levels(levels)
+    , Smoothers(smoothers)
+    , Level(level)
+  {
+  }
+
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
+  {
+    this->Levels[this->Level].b = r;
+    VCycle(this->Levels, this->Smoothers, this->Level, context);
+    z = this->Levels[this->Level].x;
+  }
+
+private:
+  ScaledHierarchy<Scalar, Scalar>& Levels;
+  const std::vector<std::unique_ptr<Smoother<Scalar>>>& Smoothers;
+  const int Level;
+};
 
 }
 
-/// One solve: the clock, the history, and the rule that ends a level.
+/// One solve: the clock, the history, and the work on each level.
 template <class Scalar>
 class NestedIteration<Scalar>::Run
 {
@@ -72,73 +114,50 @@ public:
     }
   }
 
-  /// Conjugate gradients on this level, a V-cycle down from it as preconditioner.
+  /// Conjugate gradients on this level, as far as rounding allows.
   void Cycle(int level)
   {
-    auto& levelOf = this->Nested.Scaled[level];
-    const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
-    Vector<Scalar> solution = levelOf.x;
-    Vector<Scalar> residual = Residual(levelOf.A, levelOf.b, solution, this->Context);
-    Vector<Scalar> direction = Vector<Scalar>::Zero(solution.size());
-    const Vector<Scalar> zero = direction;
-    const Vector<Scalar> rightHandSide = levelOf.b;
-    double former = 0.0;
-    for (int cycle = 0; cycle < this->Options.Cycles; ++cycle)
+    if (this->Options.Cycles > 0)
     {
-      this->Context.Checkpoint((coarsest - level - 1.0) / coarsest);
-      levelOf.b = residual;
-      VCycle(this->Nested.Scaled, this->Nested.Smoothers, level, this->Context);
-      const double product = Eigen::numext::real(Dot(residual, levelOf.x, this->Context));
-      direction = levelOf.x + (former > 0.0 ? product / former : 0.0) * direction;
-      former = product;
-      const Vector<Scalar> image = -Residual(levelOf.A, zero, direction, this->Context);
-      const double energy = Eigen::numext::real(Dot(direction, image, this->Context));
-      if (!(product > 0.0 && energy > 0.0))
-      {
-        break; // solved
-      }
-      solution += (product / energy) * direction;
-      residual -= (product / energy) * image;
+      auto& levelOf = this->Nested.Scaled[level];
+      const Vector<Scalar> rightHandSide = levelOf.b;
+      Vector<Scalar> solution = levelOf.x;
+      LevelCycle<Scalar> cycle(this->Nested.Scaled, this->Nested.Smoothers, level);
+      SolveReport ofLevel;
+      ConjugateGradient<Scalar>(LevelOperator<Scalar>(levelOf.A), cycle, rightHandSide,
+        { std::numeric_limits<double>::epsilon(), this->Options.Cycles }, solution, ofLevel,
+        this->PartOf(level, 0.0, 0.5));
       levelOf.x = solution;
-      if (level == 0)
-      {
-        this->Observe(level);
-      }
+      levelOf.b = rightHandSide;
     }
-    levelOf.x = solution;
-    levelOf.b = rightHandSide;
   }
 
   /// \return the number of sweeps.
   int Sweep(int level)
   {
     auto& levelOf = this->Nested.Scaled[level];
-    const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
-    const int limit = this->Options.Limit();
-    double former = this->StoppingQuantity(level);
-    for (int sweep = 1; sweep <= limit; ++sweep)
+    const PartOfContext context = this->PartOf(level, this->Options.Cycles > 0 ? 0.5 : 0.0, 1.0);
+    const bool isCompared = this->Measure && this->Measure->LeastImprovement > 0.0;
+    double former = isCompared ? this->Error(level) : 0.0;
+    for (int sweep = 1; sweep <= this->Options.Sweeps; ++sweep)
     {
-      this->Context.Checkpoint((coarsest - level - 1 + (sweep - 1.0) / limit) / coarsest);
+      context.Checkpoint((sweep - 1.0) / this->Options.Sweeps);
       this->Nested.Smoothers[level]->PostSmooth(levelOf.b, levelOf.x, this->Context);
       if (level == 0)
       {
         this->Observe(level);
       }
-      const double now = this->StoppingQuantity(level);
-      if (this->Options.Rule != SweepRule::FixedNumber &&
-        !(now <= (1.0 - this->Options.LeastImprovement) * former && now < former))
+      if (isCompared)
       {
-        return sweep;
+        const double now = this->Error(level);
+        if (!(now <= (1.0 - this->Measure->LeastImprovement) * former && now < former))
+        {
+          return sweep;
+        }
+        former = now;
       }
-      former = now;
     }
-    if (this->Options.Rule != SweepRule::FixedNumber)
-    {
-      this->Report.Converged = false;
-      this->Report.Warnings.push_back(
-        "The sweeps on level " + std::to_string(level) + " ended at their limit of " + std::to_string(limit) + ".");
-    }
-    return limit;
+    return this->Options.Sweeps;
   }
 
   void End()
@@ -161,17 +180,13 @@ private:
       throw InvalidInput(
         "the right-hand side must have " + std::to_string(this->Nested.A->rows()) + " values, one per unknown");
     }
-    if (this->Options.Sweeps < 0 || this->Options.MaximumSweeps < 0 || this->Options.Cycles < 0)
+    if (this->Options.Sweeps < 0 || this->Options.Cycles < 0)
     {
       throw InvalidInput("the numbers of smoothing sweeps and of cycles must not be negative");
     }
     if (this->Measure)
     {
       this->Measure->Check(static_cast<int>(this->b.size()));
-    }
-    if (this->Options.Rule == SweepRule::WhileErrorFalls && (!this->Measure || this->Measure->Reference.size() == 0))
-    {
-      throw InvalidInput("sweeps while the error falls need a reference solution");
     }
     const double norm = std::sqrt(SquaredNorm(this->b, this->Context));
     if (!std::isfinite(norm))
@@ -182,23 +197,22 @@ private:
     return norm;
   }
 
-  /// The quantity that must fall by each sweep: the error, the residual, or nothing.
-  double StoppingQuantity(int level)
+  /// A share of the progress of this level.
+  PartOfContext PartOf(int level, double begin, double end) const
   {
-    if (this->Options.Rule == SweepRule::WhileResidualFalls)
-    {
-      const auto& levelOf = this->Nested.Scaled[level];
-      return std::sqrt(SquaredNorm(Residual(levelOf.A, levelOf.b, levelOf.x, this->Context), this->Context));
-    }
-    if (this->Options.Rule == SweepRule::WhileErrorFalls)
-    {
-      const Clock::time_point begin = Clock::now();
-      this->BringToFinest(level);
-      const double error = this->Measure->Error(this->x, this->Context);
-      this->Start += Clock::now() - begin;
-      return error;
-    }
-    return 0.0;
+    const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
+    const double done = coarsest - level - 1.0;
+    return PartOfContext(this->Context, (done + begin) / coarsest, (done + end) / coarsest);
+  }
+
+  /// The error of the iterate on this level, prolonged to the finest one. It does not count in the time.
+  double Error(int level)
+  {
+    const Clock::time_point begin = Clock::now();
+    this->BringToFinest(level);
+    const double error = this->Measure->Error(this->x, this->Context);
+    this->Start += Clock::now() - begin;
+    return error;
   }
 
   /// Iterates of finer levels are free until the iterations get there.
@@ -286,8 +300,12 @@ std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b, const S
     if (this->MaySweep)
     {
       run.Cycle(level);
+      if (level == 0 && sweeps.Cycles > 0)
+      {
+        run.Observe(level);
+      }
       numbers[level] = run.Sweep(level);
-      if (level > 0 && sweeps.Cycles + sweeps.Limit() > 0)
+      if (level > 0 && sweeps.Cycles + sweeps.Sweeps > 0)
       {
         run.Observe(level);
       }

@@ -15,41 +15,20 @@
 namespace dmg
 {
 
-/// When full multigrid leaves a level for the next finer one.
-enum class SweepRule
-{
-  FixedNumber, ///< after Sweeps sweeps
-  /// After the first sweep that lowers the error by less than the fraction LeastImprovement of it
-  /// (thesis, section 6.5.2). The error is that of the iterate prolonged to the finest level,
-  /// against the reference of a ConvergenceMeasure.
-  WhileErrorFalls,
-  /// The same with the residual of the level's own system scaled to unit diagonal: for those who
-  /// have no reference.
-  WhileResidualFalls,
-};
-
+/// The work of full multigrid on each level but the coarsest.
 struct SweepOptions
 {
-  SweepRule Rule = SweepRule::FixedNumber;
-  int Sweeps = 10;                ///< of FixedNumber, on each level but the coarsest, >= 0
-  double LeastImprovement = 1e-3; ///< of the other rules, by one sweep, as a fraction
-  /// Limit of the other rules, on each level, >= 0. The default never cuts them short: 40,000 sweeps
-  /// that lower the error by 1e-3 each lower it to 4e-18, below rounding.
-  int MaximumSweeps = 40000;
-  /// Steps of conjugate gradients on each level but the coarsest, before the sweeps, with a V(1,1)-cycle
-  /// down from the level as preconditioner: full multigrid, where sweeps alone, as in the thesis, leave
-  /// whatever the coarser level missed. >= 0.
+  int Sweeps = 10; ///< Gauss-Seidel sweeps, >= 0
+  /// Steps of conjugate gradients before the sweeps, preconditioned by a V(1,1)-cycle from the level down, >= 0. Sweeps alone, as
+  /// in the thesis, leave the errors of the coarser levels.
   int Cycles = 0;
-
-  /// Sweeps on each level at most.
-  int Limit() const { return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps; }
 
   friend bool operator==(const SweepOptions& a, const SweepOptions& b)
   {
     const auto members = [](const SweepOptions& options)
     {
-      const auto& [rule, sweeps, least, maximum, cycles] = options; // all of them, or it does not compile
-      return std::tie(rule, sweeps, least, maximum, cycles);
+      const auto& [sweeps, cycles] = options; // all of them, or it does not compile
+      return std::tie(sweeps, cycles);
     };
     return members(a) == members(b);
   }
@@ -71,7 +50,8 @@ struct NestedOptions
 /// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go down
 /// in the order of each level (SweepOrder), in double precision. Built once per matrix, asked for many right-hand sides.
 ///
-/// Cost: one product with every matrix per sweep, five per cycle, and two with every prolongation.
+/// Cost: one product with every matrix per sweep, five per cycle and two cycles more to measure what they reach, and two with every
+/// prolongation.
 template <class Scalar>
 class NestedIteration
 {
@@ -86,14 +66,11 @@ public:
   /// \param x on exit the solution, zero for inactive unknowns.
   /// \param report gets Iterations, SolveSeconds and Converged anew. The history begins with x = 0
   ///   and ends with the solution. With a measure, it has a row for the coarsest solution, one for
-  ///   each level in between after its last sweep, both prolonged to the finest level, and one for
-  ///   each sweep there. Residuals are relative to |b|. Converged says that MaximumSweeps did not cut a level short of
-  ///   the rule, which gives a warning.
-  /// \param measure may be null, except under WhileErrorFalls. What it takes, the errors of the rule
-  ///   included, does not count in Seconds: the thesis determines the sweeps beforehand.
+  ///   each level in between after its last sweep, both prolonged to the finest level, one for the steps of conjugate gradients on
+  ///   the finest level, and one for each sweep there. Residuals are relative to |b|.
+  /// \param measure may be null. Its cost, that of its errors after sweeps included, does not count in Seconds.
   /// \return the sweeps on each level, finest first; 0 for the coarsest.
-  /// \throw InvalidInput sizes differ, b is not finite, a number of sweeps is negative, or the
-  ///   reference is missing.
+  /// \throw InvalidInput sizes differ, b is not finite, or a number of sweeps is negative.
   /// \throw Cancelled
   /// Checkpoints: every sweep.
   std::vector<int> Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x, SolveReport& report,
