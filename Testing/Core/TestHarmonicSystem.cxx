@@ -1,5 +1,6 @@
 #include "Support/HarmonicSystem.h"
 
+#include "Support/DenseAlgebra.h"
 #include "Support/Identities.h"
 #include "Support/Random.h"
 
@@ -67,7 +68,7 @@ protected:
 
   Vector<Scalar> Solve(const HarmonicSystem<Scalar>& system, const Vector<Scalar>& values) const
   {
-    const Vector<Scalar> free = Dense(system.Matrix()).partialPivLu().solve(system.RightHandSide(values));
+    const Vector<Scalar> free = Solved(Densified(system.Matrix()), system.RightHandSide(values));
     return system.Expand(free, values);
   }
 

@@ -4,6 +4,7 @@
 #include "PreparedSurface.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ComplexPairs.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/Errors.h"
 #include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
@@ -272,8 +273,7 @@ TEST(FieldSolver, AgreesWithTheTextbookSystem)
     options.Smoothness = 0.5;
     const auto expectSame = [&](const auto& system, const auto& values, const auto& pairsOf)
     {
-      const auto A = system.Matrix().toDense().eval();
-      const auto x = system.Expand(A.partialPivLu().solve(system.RightHandSide(values)), values);
+      const auto x = system.Expand(Solved(Densified(system.Matrix()), system.RightHandSide(values)), values);
       SolverOfUnknowns fields(on.Mesh);
       const Vector<double> field = fields.Solve(directions, options, Tight());
       const Vector<double> expected = pairsOf(x);

@@ -2,6 +2,7 @@
 
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/PowerFieldDirections.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/Random.h"
 #include "Support/ReferenceOperators.h"
 
@@ -96,14 +97,12 @@ double WeakestColumn(const SparseMatrix<double>& S)
 
 Vector<double> Eigenvalues(const SparseMatrix<double>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues();
+  return Eigenvalues(Densified(A));
 }
 
 Vector<double> Eigenvalues(const SparseMatrix<Complex>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(Eigen::MatrixXcd(A), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues();
+  return Eigenvalues(Densified(A));
 }
 
 Vector<double> LowestEigenvalues(const SparseMatrix<Complex>& A, const Vector<double>& M, int count)
@@ -213,8 +212,7 @@ Vector<double> FaceFieldOfVector(const TangentFrames& faceFrames, const Vector3&
 
 Vector<double> SymmetricEigenvalues(const SparseMatrix<double>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues();
+  return Eigenvalues(A);
 }
 
 }

@@ -1,6 +1,7 @@
 #include "Support/FieldSystems.h"
 
 #include "Examples.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
@@ -21,13 +22,11 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-using Dense = Eigen::MatrixXd;
-
 Vector<double> SolveForm(const TriangleMesh& mesh, const FieldConstraints& constraints, const FieldWeights& weights)
 {
   const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints, weights);
-  const Dense A = system.Matrix();
-  return system.Expand(A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
+  return system.Expand(
+    Solved(Densified(system.Matrix()), system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
 FieldConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
@@ -135,7 +134,7 @@ TEST(OneFormSystem, AlignmentPullsAsOnPowerFields)
   }
   const double smoothness = 200.0;
   const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints, Weights(ConstraintKind::Soft, smoothness));
-  const Vector<double> h = Dense(system.Matrix()).ldlt().solve(system.RightHandSide(constraints.Values));
+  const Vector<double> h = Solved(Densified(system.Matrix()), system.RightHandSide(constraints.Values));
   const double expected = 1.0 / (1.0 + 2.0 * 0.5 * k * k * smoothness);
   const double found = h.dot(constraints.Values) / constraints.Values.squaredNorm();
   EXPECT_NEAR(found, expected, 0.01 * expected);

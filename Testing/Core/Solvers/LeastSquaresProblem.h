@@ -1,11 +1,10 @@
 #ifndef dmgTestLeastSquaresProblem_h
 #define dmgTestLeastSquaresProblem_h
 
-#include "GridProblem.h"
 #include "Solvers/Kernels/RowTiles.h"
 #include "Solvers/LeastSquares/UnknownBlocks.h"
-
-#include <Eigen/Dense>
+#include "Support/DenseAlgebra.h"
+#include "Support/GridProblem.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -30,7 +29,7 @@ struct Squares
   Eigen::MatrixXd Matrix() const
   {
     const Eigen::MatrixXd dense(this->B);
-    return dense.transpose() * dense;
+    return Product<double>(dense.transpose(), dense);
   }
 
   SparseMatrix<double> B;

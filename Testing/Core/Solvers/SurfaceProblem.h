@@ -113,7 +113,7 @@ inline std::unique_ptr<const StiffnessOperator> OperatorOf(const StiffnessHierar
 /// What a prescription adds to B^T B in the order of a hierarchy; infinite where it is hard.
 inline Vector<double> DiagonalOf(const LeastSquaresHierarchy& hierarchy, const Penalties& prescribed)
 {
-  const std::vector<int> places = Inverse(hierarchy.Order);
+  const std::vector<int> places = dmg::Inverse(hierarchy.Order);
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   for (std::size_t k = 0; k < prescribed.Unknowns.size(); ++k)
   {

@@ -1,6 +1,6 @@
 #include "Solvers/Kernels/ArrangedMatrix.h"
 
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 #include "Support/Permutations.h"
 
 #include <Eigen/Dense>

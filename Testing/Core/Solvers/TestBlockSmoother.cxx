@@ -33,9 +33,8 @@ double OfInverses(const Squares& squares)
   double worst = 1.0;
   for (int k = 0; k < squares.Blocks.Size(); ++k)
   {
-    const Vector<double> spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-      test::BlockOf(squares.Matrix(), test::MembersOf(squares.Blocks, k)))
-                                      .eigenvalues();
+    const Vector<double> spectrum =
+      test::Eigenvalues(test::BlockOf(squares.Matrix(), test::MembersOf(squares.Blocks, k)));
     worst = std::max(worst, spectrum.maxCoeff() / spectrum.minCoeff());
   }
   return 3e-6 * worst;
@@ -129,7 +128,7 @@ Vector<double> Relaxed(const Squares& squares, int sweeps, const Vector<double>&
       const std::vector<int> free = FreeAmong(members, D);
       const Vector<double> residual = b(free) - A(free, All) * x;
       const double factor = (D(members).array() == 0.0).all() ? relaxation : 1.0;
-      x(free) += factor * test::BlockOf(A, free).llt().solve(residual);
+      x(free) += factor * test::Solved(test::BlockOf(A, free), residual);
     }
   }
   return x;
@@ -176,8 +175,7 @@ void ExpectSymmetric(const Squares& squares, int sweeps, const Vector<double>& D
       smoother.PostSmooth(b, x, SerialContext());
     });
   EXPECT_LE((both - both.transpose()).norm(), 200 * Epsilon * largest * both.norm());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(test::BlockOf(both, free));
-  EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
+  EXPECT_GT(test::Eigenvalues(test::BlockOf(both, free)).minCoeff(), 0.0);
 }
 
 }
@@ -193,7 +191,7 @@ TEST(BlockSmoother, OneBlockIsTheInverse)
   ring.Blocks.EndBlock();
   const Eigen::MatrixXd A = ring.Matrix();
   // Each sweep leaves 1e-6 / lambda of an eigenvector, and what single precision makes of it.
-  const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().minCoeff();
+  const double lowest = test::Eigenvalues(A).minCoeff();
   ASSERT_GT(lowest, 5e-3);
   const double left = 1e-6 / lowest + 10 * std::numeric_limits<float>::epsilon() / lowest;
   const Vector<double> exact = test::RandomVector<double>(ring.Size(), 3103);

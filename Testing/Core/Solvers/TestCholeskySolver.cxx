@@ -1,7 +1,7 @@
 #include "Solvers/Direct/CholeskySolver.h"
 
-#include "GridProblem.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 
 #include <gtest/gtest.h>
 

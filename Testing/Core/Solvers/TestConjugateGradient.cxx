@@ -1,9 +1,9 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 
-#include "GridProblem.h"
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 #include "Solvers/Krylov/ConvergenceMeasure.h"
 
-#include "GridProblem.h"
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>

@@ -1,7 +1,8 @@
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
 
-#include "GridProblem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
+#include "Support/DenseAlgebra.h"
+#include "Support/GridProblem.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <utility>
 
 using namespace dmg;
+using test::Densified;
 
 namespace
 {
@@ -28,18 +30,6 @@ public:
 private:
   Eigen::MatrixXd Matrix;
 };
-
-Eigen::MatrixXd Densified(Preconditioner<double>& B, int size)
-{
-  Eigen::MatrixXd matrix(size, size);
-  Vector<double> z;
-  for (int j = 0; j < size; ++j)
-  {
-    B.Apply(Vector<double>::Unit(size, j), z, SerialContext());
-    matrix.col(j) = z;
-  }
-  return matrix;
-}
 
 /// A smoothness energy L with eigenvalues between 1 and 2 besides a kernel, and a few unknowns held weakly:
 /// what harmonic fields are to their systems.
@@ -100,7 +90,7 @@ TEST(DeflatedPreconditioner, IsItsFormula)
   const WeaklyHeld problem(60, 4, 6, 0.5);
   const Eigen::MatrixXd A(problem.A);
   const Eigen::MatrixXd& H = problem.H;
-  const Eigen::MatrixXd Q = H * (H.transpose() * A * H).inverse() * H.transpose();
+  const Eigen::MatrixXd Q = H * test::Inverse(test::GalerkinProduct(A, H)) * H.transpose();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(60, 60);
   const Eigen::MatrixXd expected = Q + (one - Q * A) * problem.Inner * (one - A * Q);
 
@@ -109,7 +99,7 @@ TEST(DeflatedPreconditioner, IsItsFormula)
   const Eigen::MatrixXd D = Densified(deflated, 60);
   EXPECT_LE((D - expected).norm(), 1e3 * Epsilon * expected.norm());
   EXPECT_LE((D - D.transpose()).norm(), 1e3 * Epsilon * D.norm());
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(D).eigenvalues().minCoeff(), 0.0);
+  EXPECT_GT(test::Eigenvalues(D).minCoeff(), 0.0);
   // Exact on H.
   EXPECT_LE((D * A * H - H).norm(), 1e3 * Epsilon * D.norm() * A.norm());
 }
@@ -126,7 +116,7 @@ TEST(DeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
     DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
     Vector<double> x;
     EXPECT_LE(Iterations(problem, deflated, x), 16);
-    const Vector<double> expected = Eigen::MatrixXd(problem.A).ldlt().solve(problem.b);
+    const Vector<double> expected = test::Solved(Densified(problem.A), problem.b);
     EXPECT_LE((x - expected).norm(), 1e-4 * expected.norm());
   }
 }

@@ -1,11 +1,11 @@
 #include "Solvers/Multigrid/GalerkinCycle.h"
 
-#include "GridProblem.h"
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Solvers/Multigrid/NestedIteration.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 #include "TorusProblem.h"
 

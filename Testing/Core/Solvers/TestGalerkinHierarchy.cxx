@@ -1,8 +1,8 @@
 #include "Solvers/Multigrid/GalerkinHierarchy.h"
 
-#include "GridProblem.h"
 #include "Solvers/Multigrid/SmoothedProlongation.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 
-#include "GridProblem.h"
 #include "LeastSquaresProblem.h"
 #include "Support/AllIndices.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 #include "SurfaceProblem.h"
 
@@ -122,6 +122,12 @@ void ExpectComponents(const LeastSquaresHierarchy& hierarchy, const std::vector<
   EXPECT_LT(*components.rbegin(), hierarchy.NumberOfUnknowns());
 }
 
+/// B^T B.
+Eigen::MatrixXd Gram(const Eigen::MatrixXd& B)
+{
+  return test::Product<double>(B.transpose(), B);
+}
+
 class AnyLeastSquaresHierarchy : public ::testing::TestWithParam<SurfaceProblem::Of>
 {
 };
@@ -186,15 +192,13 @@ TEST_P(AnyLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
   EXPECT_EQ(sorted, Identity(problem.Size()));
 
   const Eigen::MatrixXd B(hierarchy.B);
-  const Vector<double> eigenvalues =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B.transpose() * B, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vector<double> eigenvalues = test::Eigenvalues(Gram(B));
   EXPECT_LE(eigenvalues.maxCoeff(), 1.0 + 10 * Epsilon);
   EXPECT_GE(eigenvalues.maxCoeff(), 0.5);
   // The rows are those of the caller's B in some order.
   const Eigen::MatrixXd unscaled = B * hierarchy.Scales.asDiagonal();
   const Eigen::MatrixXd given = Eigen::MatrixXd(problem.B)(All, hierarchy.Order);
-  EXPECT_LE((unscaled.transpose() * unscaled - given.transpose() * given).norm(),
-    100 * Epsilon * (given.transpose() * given).norm());
+  EXPECT_LE(test::Distance(Gram(unscaled), Gram(given)), 100 * Epsilon * Gram(given).norm());
   EXPECT_LE((hierarchy.Diagonal.cast<double>() - B.colwise().squaredNorm().transpose()).norm(),
     SinglePrecision * std::sqrt(static_cast<double>(problem.Size())));
   for (int i = 0; i < problem.Size(); ++i)
@@ -219,8 +223,7 @@ TEST_P(AnyLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(options);
     const Eigen::MatrixXd P = OnPairs(hierarchy.Prolongation.Matrix());
     ASSERT_EQ(P.cols(), 2 * problem.Levels.Prolongation.cols());
-    const Eigen::MatrixXd BP = Eigen::MatrixXd(hierarchy.B) * P;
-    const Eigen::MatrixXd expected = BP.transpose() * BP;
+    const Eigen::MatrixXd expected = Gram(test::Product(test::Densified(hierarchy.B), P));
     const Eigen::MatrixXd lower(hierarchy.CoarseLower);
     EXPECT_EQ(lower, Eigen::MatrixXd(lower.triangularView<Eigen::Lower>()));
     const Eigen::MatrixXd coarse = lower.selfadjointView<Eigen::Lower>();

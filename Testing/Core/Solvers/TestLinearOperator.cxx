@@ -1,7 +1,7 @@
 #include "Solvers/Krylov/LinearOperator.h"
 
-#include "GridProblem.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

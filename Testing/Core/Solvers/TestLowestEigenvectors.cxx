@@ -1,5 +1,6 @@
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
+#include "Support/DenseAlgebra.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/LU>
@@ -78,7 +79,7 @@ TEST(LowestEigenvectors, ChainsOfSpringsHaveSines)
   const SparseMatrix<double> A = Chains(lengths);
   const MatrixOperator<double> matrix(A);
   // Far from the inverse: no more than its diagonal and a shift of the spectrum.
-  DenseInverse inverse((Eigen::MatrixXd(A) + 0.01 * Eigen::MatrixXd::Identity(371, 371)).inverse());
+  DenseInverse inverse(test::Inverse<double>(Eigen::MatrixXd(A) + 0.01 * Eigen::MatrixXd::Identity(371, 371)));
   const Vector<double> mass = Vector<double>::Constant(371, 3.0);
   const SortedItems parts = PartsOf(lengths);
   Vector<double> x = Vector<double>::Zero(371);

@@ -1,15 +1,16 @@
 #include "Solvers/Kernels/SweepOrder.h"
 #include "Solvers/Multigrid/MultigridCycle.h"
 
-#include "GridProblem.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <utility>
+#include <vector>
 
 using namespace dmg;
 
@@ -18,8 +19,12 @@ namespace
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
-template <class Scalar>
-using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+using test::Dense;
+using test::Densified;
+using test::Distance;
+using test::Eigenvalues;
+using test::ErrorsOf;
+using test::Product;
 
 CycleOptions Options(int preSweeps, int postSweeps, CyclePrecision precision)
 {
@@ -27,19 +32,6 @@ CycleOptions Options(int preSweeps, int postSweeps, CyclePrecision precision)
   options.Smoothing = { preSweeps, postSweeps };
   options.Precision = precision;
   return options;
-}
-
-template <class Scalar>
-Matrix<Scalar> Densified(Preconditioner<Scalar>& B, int size)
-{
-  Matrix<Scalar> dense(size, size);
-  for (int j = 0; j < size; ++j)
-  {
-    Vector<Scalar> z;
-    B.Apply(Vector<Scalar>::Unit(size, j), z, SerialContext());
-    dense.col(j) = z;
-  }
-  return dense;
 }
 
 template <class Scalar>
@@ -55,21 +47,20 @@ TYPED_TEST(AnyMultigridCycle, IsHermitianPositiveDefinite)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  const Matrix<TypeParam> A(problem.A);
+  const Dense<TypeParam> A = Densified(problem.A);
   for (const int sweeps : { 1, 2, 3 })
   {
     MultigridCycle<TypeParam> cycle(hierarchy, Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
-    const Matrix<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
-    EXPECT_LE((B - B.adjoint()).norm(), 50 * Epsilon * B.norm());
-    const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> spectrum(B);
-    EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
+    const Dense<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
+    EXPECT_LE(Distance<TypeParam>(B, B.adjoint()), 50 * Epsilon * B.norm());
+    EXPECT_GT(Eigenvalues(B).minCoeff(), 0.0);
 
     // I - B A is a product of projections and contractions and their adjoints: no eigenvalue of
     // B A exceeds 1, and two sweeps of textbook multigrid leave none below 0.8.
-    const Matrix<TypeParam> root = spectrum.operatorSqrt();
-    const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> product(root * A * root);
-    EXPECT_LE(product.eigenvalues().maxCoeff(), 1.0 + 1000 * Epsilon);
-    EXPECT_GE(product.eigenvalues().minCoeff(), sweeps == 1 ? 0.5 : 0.8);
+    const Dense<TypeParam> root = test::SquareRoot(B);
+    const Vector<double> spectrum = Eigenvalues(test::GalerkinProduct(A, root));
+    EXPECT_LE(spectrum.maxCoeff(), 1.0 + 1000 * Epsilon);
+    EXPECT_GE(spectrum.minCoeff(), sweeps == 1 ? 0.5 : 0.8);
   }
 }
 
@@ -78,39 +69,38 @@ TYPED_TEST(AnyMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const int size = hierarchy.NumberOfUnknowns(0);
-  const Matrix<TypeParam> A(problem.A);
-  const Matrix<TypeParam> P(problem.P[0]);
-  const Matrix<TypeParam> coarse = P.adjoint() * A * P;
+  const Dense<TypeParam> A = Densified(problem.A);
+  const Dense<TypeParam> P = Densified(problem.P[0]);
   const SweepOrder order = OrderForSweeps(hierarchy.Matrix(0));
-  Eigen::PermutationMatrix<Eigen::Dynamic> toOrder(size);
-  for (int k = 0; k < size; ++k)
+  std::vector<int> unknowns; // in the order of sweeps
+  for (const int k : order.Unknowns)
   {
-    toOrder.indices()[hierarchy.FinestOrder()[order.Unknowns[k]]] = k;
+    unknowns.push_back(hierarchy.FinestOrder()[k]);
   }
-  const Matrix<TypeParam> inOrder = toOrder * A * toOrder.transpose();
-  const Matrix<TypeParam> inverse =
-    inOrder.template triangularView<Eigen::Lower>().solve(Matrix<TypeParam>::Identity(size, size));
-  const Matrix<TypeParam> forward = toOrder.transpose() * inverse * toOrder;
+  Dense<TypeParam> forward(size, size);
+  forward(unknowns, unknowns) = test::InverseOfLower<TypeParam>(A(unknowns, unknowns));
+  const Dense<TypeParam> coarse =
+    Product(P, Product<TypeParam>(test::Inverse(test::GalerkinProduct(A, P)), P.adjoint()));
 
-  const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(size, size);
-  Matrix<TypeParam> error = identity - forward * A;
-  error = (identity - P * coarse.llt().solve(P.adjoint() * A)) * error;
-  error = (identity - forward * A) * error;
-  error = (identity - forward.adjoint() * A) * error;
-  const Matrix<TypeParam> expected = (identity - error) * A.inverse();
+  Dense<TypeParam> error = ErrorsOf(forward, A);
+  error = Product(ErrorsOf(coarse, A), error);
+  error = Product(ErrorsOf(forward, A), error);
+  error = Product(ErrorsOf<TypeParam>(forward.adjoint(), A), error);
+  const Dense<TypeParam> identity = Dense<TypeParam>::Identity(size, size);
+  const Dense<TypeParam> expected = Product<TypeParam>(identity - error, test::Inverse(A));
 
   MultigridCycle<TypeParam> cycle(hierarchy, Options(1, 2, CyclePrecision::Double), SerialContext());
-  const Matrix<TypeParam> B = Densified(cycle, size);
+  const Dense<TypeParam> B = Densified(cycle, size);
   // The coarsest matrix is lifted by 1e-12 of its diagonal.
-  EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LE(Distance(B, expected), 1e-10 * expected.norm());
 }
 
 TYPED_TEST(AnyMultigridCycle, RepetitionsAreChebyshevsIteration)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  const Matrix<TypeParam> A(problem.A);
-  const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(A.rows(), A.cols());
+  const Dense<TypeParam> A = Densified(problem.A);
+  const Dense<TypeParam> identity = Dense<TypeParam>::Identity(A.rows(), A.cols());
   const auto cycleOf = [&](int repetitions)
   {
     CycleOptions options = Options(1, 1, CyclePrecision::Double);
@@ -119,15 +109,17 @@ TYPED_TEST(AnyMultigridCycle, RepetitionsAreChebyshevsIteration)
     return Densified(cycle, static_cast<int>(A.rows()));
   };
   // Chebyshev's polynomials take eigenvalues from 1/2 to 1 to [-1, 1], and zero to 3: T_2(3) = 17, T_3(3) = 99.
-  const Matrix<TypeParam> Z = 3.0 * identity - 4.0 * cycleOf(1) * A;
-  const Matrix<TypeParam> errorOfTwo = (2.0 * Z * Z - identity) / 17.0;
-  const Matrix<TypeParam> errorOfThree = (4.0 * Z * Z * Z - 3.0 * Z) / 99.0;
+  const Dense<TypeParam> Z = 3.0 * identity - 4.0 * Product(cycleOf(1), A);
+  const Dense<TypeParam> square = Product(Z, Z);
+  const Dense<TypeParam> errorOfTwo = (2.0 * square - identity) / 17.0;
+  const Dense<TypeParam> errorOfThree = (4.0 * Product(square, Z) - 3.0 * Z) / 99.0;
+  const Dense<TypeParam> inverse = test::Inverse(A);
   for (const auto& [repetitions, error] : { std::pair(2, errorOfTwo), std::pair(3, errorOfThree) })
   {
-    const Matrix<TypeParam> expected = (identity - error) * A.inverse();
-    const Matrix<TypeParam> B = cycleOf(repetitions);
-    EXPECT_LE((B - expected).norm(), 1e-12 * expected.norm());
-    EXPECT_LE((B - B.adjoint()).norm(), 1e-12 * B.norm());
+    const Dense<TypeParam> expected = Product<TypeParam>(identity - error, inverse);
+    const Dense<TypeParam> B = cycleOf(repetitions);
+    EXPECT_LE(Distance(B, expected), 1e-12 * expected.norm());
+    EXPECT_LE(Distance<TypeParam>(B, B.adjoint()), 1e-12 * B.norm());
   }
 }
 

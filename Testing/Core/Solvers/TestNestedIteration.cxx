@@ -1,11 +1,11 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 
-#include "GridProblem.h"
 #include "Solvers/Direct/CholeskySolver.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ using namespace dmg;
 namespace
 {
 
-template <class Scalar>
-using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+using test::Dense;
+using test::Densified;
 
 template <class Scalar>
 class AnyNestedIteration : public ::testing::Test
@@ -217,13 +217,13 @@ TYPED_TEST(AnyNestedIteration, WithoutSweepsItIsCoarseProlongation)
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3504);
   for (const int level : { 1, 2 })
   {
-    Matrix<TypeParam> P(problem.P[0]);
+    Dense<TypeParam> P = Densified(problem.P[0]);
     if (level == 2)
     {
-      P = P * Matrix<TypeParam>(problem.P[1]);
+      P = test::Product(P, Densified(problem.P[1]));
     }
-    const Matrix<TypeParam> coarseA = P.adjoint() * Matrix<TypeParam>(problem.A) * P;
-    const Vector<TypeParam> expected = P * coarseA.ldlt().solve(P.adjoint() * b);
+    const Dense<TypeParam> coarseA = test::GalerkinProduct(Densified(problem.A), P);
+    const Vector<TypeParam> expected = P * test::Solved<TypeParam>(coarseA, P.adjoint() * b);
     for (const bool maySweep : { false, true })
     {
       NestedIteration<TypeParam> coarse(problem.A, problem.P, StartingAt(level, maySweep), SerialContext());

@@ -2,7 +2,7 @@
 
 #include "Benchmarks/Peers/DirectPeers.h"
 #include "Benchmarks/Peers/RealForm.h"
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "Solvers/LeastSquares/PlanarProlongation.h"
 
 #include "LeastSquaresProblem.h"
+#include "Support/DenseAlgebra.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,6 +83,12 @@ SparseMatrix<Complex32> Smoothed(const SparseMatrix<double>& B, const PlanarProl
   return Adjoint(Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped, context), context), context);
 }
 
+/// B^T B.
+Eigen::MatrixXd Gram(const Eigen::MatrixXd& B)
+{
+  return test::Product<double>(B.transpose(), B);
+}
+
 template <class Scalar>
 void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
 {
@@ -107,15 +113,15 @@ TEST(PlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
   const int size = 120;
   const SparseMatrix<double> B = Squares(size);
   const PlanarProlongation P = Interpolation(size);
-  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
+  const Eigen::MatrixXd A = Gram(test::Densified(B));
   const Eigen::MatrixXd before = OnPairs(P);
-  const Eigen::MatrixXd lengths = before.transpose() * before;
+  const Eigen::MatrixXd lengths = Gram(before);
   for (const int degree : { 1, 2, 3, 4 })
   {
     const Eigen::MatrixXd after = OnPairs(Smoothed(B, P, degree, 0.0, SerialContext()));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> worst(after.transpose() * A * after, lengths);
+    const Vector<double> energies = test::Eigenvalues(test::GalerkinProduct(A, after), lengths);
     const double bound = 1.0 / ((2.0 * degree + 1.0) * (2.0 * degree + 1.0));
-    EXPECT_LE(worst.eigenvalues().maxCoeff(), (1.0 + 100 * SingleEpsilon) * bound) << "degree " << degree;
+    EXPECT_LE(energies.maxCoeff(), (1.0 + 100 * SingleEpsilon) * bound) << "degree " << degree;
   }
 }
 
@@ -123,13 +129,14 @@ TEST(PlanarProlongation, IsThePolynomialInTheMatrix)
 {
   const SparseMatrix<double> B = Squares(60);
   const Eigen::MatrixXd P = OnPairs(Interpolation(60));
-  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
+  const Eigen::MatrixXd A = Gram(test::Densified(B));
+  const Eigen::MatrixXd AP = test::Product(A, P);
   // t (1 - c t)^2 is the same at its inner maximum, t = 1 / (3 c), and at 1 for c = 4 / 3.
   const Eigen::MatrixXd linear = OnPairs(Smoothed(B, Interpolation(60), 1, 0.0, SerialContext()));
-  EXPECT_LE((linear - (P - 4.0 / 3.0 * A * P)).norm(), 10 * SingleEpsilon * P.norm());
+  EXPECT_LE((linear - (P - 4.0 / 3.0 * AP)).norm(), 10 * SingleEpsilon * P.norm());
   // The two roots of degree 2: t p(t)^2 = T_5(sqrt t)^2 / 25 with T_5 = 16 x^5 - 20 x^3 + 5 x.
   const Eigen::MatrixXd quadratic = OnPairs(Smoothed(B, Interpolation(60), 2, 0.0, SerialContext()));
-  EXPECT_LE((quadratic - (P - 4.0 * A * P + 3.2 * A * A * P)).norm(), 100 * SingleEpsilon * P.norm());
+  EXPECT_LE((quadratic - (P - 4.0 * AP + 3.2 * test::Product(A, AP))).norm(), 100 * SingleEpsilon * P.norm());
 }
 
 TEST(PlanarProlongation, KernelVectorsStay)
@@ -213,8 +220,7 @@ TEST(PlanarProlongation, CoarseStiffnessIsTheTripleProductOfPairs)
       free.row(i).setZero();
     }
     const SparseMatrix<double> coarse = CoarseStiffness(B, Bt, P, adjoint, rows, SerialContext());
-    const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * free;
-    const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd expected = Gram(test::Product(test::Densified(B), free)).triangularView<Eigen::Lower>();
     ASSERT_EQ(coarse.rows(), 80);
     EXPECT_LE((Eigen::MatrixXd(coarse) - expected).norm(), 20 * Epsilon * expected.norm());
     EXPECT_EQ(expected.col(0).isZero(), !rows.empty());
@@ -228,7 +234,7 @@ TEST(PlanarProlongation, GramIsTheProductOfPairs)
   const SparseMatrix<Complex32> Q = Smoothed(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(Q, SerialContext());
   const Eigen::MatrixXd pairs = OnPairs(Q);
-  const Eigen::MatrixXd expected = pairs.transpose() * pairs;
+  const Eigen::MatrixXd expected = Gram(pairs);
   ASSERT_EQ(gram.rows(), 80);
   EXPECT_LE((Eigen::MatrixXd(gram) - expected).norm(), 20 * Epsilon * expected.norm());
   for (int i = 0; i < gram.rows(); ++i)

@@ -1,7 +1,7 @@
 #include "Solvers/Kernels/RowTiles.h"
 
-#include "../Solvers/GridProblem.h"
 #include "Solvers/Kernels/RowRuns.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

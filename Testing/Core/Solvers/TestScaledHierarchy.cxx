@@ -1,9 +1,9 @@
 #include "Solvers/Multigrid/ScaledHierarchy.h"
 
-#include "GridProblem.h"
+#include "Support/DenseAlgebra.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -20,7 +20,7 @@ class AnyScaledHierarchy : public ::testing::Test
 public:
   using Scalar = typename ScalarAndValue::first_type;
   using Value = typename ScalarAndValue::second_type;
-  using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Dense = test::Dense<Scalar>;
   using Levels = ScaledHierarchy<Scalar, Value>;
   using Content = typename Levels::Content;
 
@@ -39,11 +39,11 @@ public:
   }
 
   const test::GridProblem<Scalar> Grid = test::MakeGridProblem<Scalar>(5, 3);
-  const Dense A = Dense(Grid.A);
-  const Dense P0 = Dense(Grid.P[0]);
-  const Dense P1 = Dense(Grid.P[1]);
-  const Dense A1 = P0.adjoint() * A * P0;
-  const Dense A2 = P1.adjoint() * A1 * P1;
+  const Dense A = test::Densified(Grid.A);
+  const Dense P0 = test::Densified(Grid.P[0]);
+  const Dense P1 = test::Densified(Grid.P[1]);
+  const Dense A1 = test::GalerkinProduct(A, P0);
+  const Dense A2 = test::GalerkinProduct(A1, P1);
   const Vector<Scalar> b = test::RandomVector<Scalar>(static_cast<int>(A.rows()), 6101);
 };
 
@@ -78,12 +78,13 @@ TYPED_TEST(AnyScaledHierarchy, TransfersAreThoseOfTheHierarchy)
     levels[2].x = levels[2].b;
     levels.ProlongToFinest(2, SerialContext());
     const auto inverse2 = this->A2.diagonal().cwiseInverse().asDiagonal();
-    const auto P = (this->P0 * this->P1).eval();
+    const auto P = test::Product(this->P0, this->P1);
     this->ExpectNear(this->Stored(levels), P * (inverse2 * (P.adjoint() * this->b)));
 
     levels.SolveCoarsest();
     levels.ProlongToFinest(2, SerialContext());
-    EXPECT_LE((this->Stored(levels) - P * this->A2.ldlt().solve(P.adjoint() * this->b)).norm(),
+    const Vector<typename TestFixture::Scalar> coarsest = P.adjoint() * this->b;
+    EXPECT_LE((this->Stored(levels) - P * test::Solved(this->A2, coarsest)).norm(),
       100 * TestFixture::Tolerance * this->b.norm());
   }
 }

@@ -1,8 +1,8 @@
 #include "Solvers/Direct/ShiftedFactor.h"
 
-#include "GridProblem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Support/Errors.h"
+#include "Support/GridProblem.h"
 #include "Support/Random.h"
 
 #include <Eigen/Dense>

@@ -1,7 +1,7 @@
 #include "Solvers/Kernels/SingleProlongation.h"
 
-#include "GridProblem.h"
 #include "Support/AllIndices.h"
+#include "Support/GridProblem.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>

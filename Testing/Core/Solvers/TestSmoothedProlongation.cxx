@@ -1,6 +1,6 @@
 #include "Solvers/Multigrid/SmoothedProlongation.h"
 
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
 

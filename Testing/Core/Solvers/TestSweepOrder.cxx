@@ -1,6 +1,6 @@
 #include "Solvers/Kernels/SweepOrder.h"
 
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 #include "Support/Permutations.h"
 
 #include <gtest/gtest.h>

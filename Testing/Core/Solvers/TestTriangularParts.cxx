@@ -1,6 +1,6 @@
 #include "Solvers/Kernels/TriangularParts.h"
 
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #ifndef dmgTestTorusProblem_h
 #define dmgTestTorusProblem_h
 
-#include "GridProblem.h"
+#include "Support/GridProblem.h"
 
 #include <array>
 #include <utility>
