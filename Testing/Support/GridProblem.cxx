@@ -114,6 +114,7 @@ Vector<Scalar> RandomVector(int size, unsigned seed)
 
 template SparseMatrix<double> FromTriplets(int, int, const std::vector<Eigen::Triplet<double>>&);
 template SparseMatrix<Complex> FromTriplets(int, int, const std::vector<Eigen::Triplet<Complex>>&);
+template SparseMatrix<Complex32> FromTriplets(int, int, const std::vector<Eigen::Triplet<Complex32>>&);
 template GridProblem<double> MakeGridProblem(int, int);
 template GridProblem<Complex> MakeGridProblem(int, int);
 template Vector<double> RandomVector(int, unsigned);
