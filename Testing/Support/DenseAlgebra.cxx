@@ -104,13 +104,14 @@ Dense<Scalar> SquareRoot(const Dense<Scalar>& A)
   template Dense<Scalar> Inverse(const Dense<Scalar>&);                               \
   template Dense<Scalar> InverseOfLower(const Dense<Scalar>&);                        \
   template Vector<Scalar> Solved(const Dense<Scalar>&, const Vector<Scalar>&);        \
-  template Dense<Scalar> PseudoInverse(const Dense<Scalar>&);                         \
   template Vector<double> Eigenvalues(const Dense<Scalar>&);                          \
-  template Vector<double> Eigenvalues(const Dense<Scalar>&, const Dense<Scalar>&);    \
   template Dense<Scalar> SquareRoot(const Dense<Scalar>&)
 
 DMG_INSTANTIATE(double);
 DMG_INSTANTIATE(Complex);
+
+template Dense<Complex> PseudoInverse(const Dense<Complex>&);
+template Vector<double> Eigenvalues(const Dense<double>&, const Dense<double>&);
 
 #undef DMG_INSTANTIATE
 

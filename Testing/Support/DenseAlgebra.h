@@ -39,14 +39,14 @@ Dense<Scalar> InverseOfLower(const Dense<Scalar>& A);
 /// A^-1 b.
 template <class Scalar>
 Vector<Scalar> Solved(const Dense<Scalar>& A, const Vector<Scalar>& b);
-/// The pseudo-inverse.
+/// The pseudo-inverse, of complex matrices.
 template <class Scalar>
 Dense<Scalar> PseudoInverse(const Dense<Scalar>& A);
 
 /// Ascending. \pre A is symmetric or Hermitian, as are those below.
 template <class Scalar>
 Vector<double> Eigenvalues(const Dense<Scalar>& A);
-/// The lambda of A x = lambda M x, ascending. \pre M is positive definite.
+/// The lambda of A x = lambda M x, ascending; of real matrices. \pre M is positive definite.
 template <class Scalar>
 Vector<double> Eigenvalues(const Dense<Scalar>& A, const Dense<Scalar>& M);
 /// \pre A is positive definite.
