@@ -115,8 +115,7 @@ FieldSolution DiffusedAtUnitLength(const FieldSolution& start, const PlannedSetu
     {
       problem.Update(step.At(weight), options.Smoothness, part);
     }
-    auto [unknowns, report] =
-      SolveInUnits(problem, step.Values(field.Unknowns, weight), field.Unknowns, {}, stop, part);
+    auto [unknowns, report] = SolveInUnits(problem, step.Values(field.Unknowns, weight), field.Unknowns, stop, part);
     field.Unknowns = std::move(unknowns);
     field.Report.SolveSeconds += report.SolveSeconds;
     if (!report.Converged && field.Report.Converged)
