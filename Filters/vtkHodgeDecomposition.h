@@ -129,8 +129,8 @@ public:
 
   ///@{
   /**
-   * What the coordinates of the points are. On a map, vectors in and out are (eastward, northward, upward), and Axis does not count. Default
-   * Space.
+   * The meaning of the coordinates of the points: places in space, or longitude and latitude of a flat map in degrees. On a map, vectors
+   * in and out are (eastward, northward, upward), and Axis does not count. Default Space.
    */
   vtkSetMacro(Coordinates, int);
   vtkGetMacro(Coordinates, int);

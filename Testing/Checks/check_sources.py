@@ -65,7 +65,10 @@ ARROWS = {
                       "Support"},
     "Flows": {"Setup", "Solvers/Krylov", "Solvers", "Analysis", "Operators", "Mesh", "Support"},
     "Geodesics": {"Constraints", "Solvers/Direct", "Operators", "Mesh", "Support"},
-    "Quads": {"Constraints", "Solvers/Direct", "Analysis", "Operators", "Mesh", "Support"},
+    "Quads/Crosses": {"Constraints", "Solvers/Direct", "Analysis", "Operators", "Mesh", "Support"},
+    "Quads/Map": {"Quads/Crosses", "Solvers/Direct", "Operators", "Mesh", "Support"},
+    "Quads/Isolines": {"Quads/Map", "Quads/Crosses", "Constraints", "Operators", "Mesh", "Support"},
+    "Quads": {"Quads/Isolines", "Quads/Map", "Quads/Crosses", "Constraints", "Mesh", "Support"},
     # The door: fields, as users ask for them and get them.
     ".": {"Singularities", "Setup", "Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Analysis",
           "Operators", "Mesh", "Support"},

@@ -19,8 +19,8 @@ namespace dmg
 struct DerivativesAtVertices
 {
   Vector<double> Divergence; ///< #V, flow over length
-  Vector<double>
-    Vorticity; ///< #V, counter-clockwise as the corners of the faces; times SidesOfSurface::OfVertices, as seen from the positive side
+  /// #V, counter-clockwise as the corners of the faces are. Times SidesOfSurface::OfVertices it is as seen from the positive side.
+  Vector<double> Vorticity;
 };
 
 /// The means of the corners of the cells, #F x 3: row f is that of the cell of face f.

@@ -2,9 +2,9 @@
 #define dmgQuadMesh_h
 
 #include "Mesh/FramedMesh.h"
+#include "Quads/Isolines/SurfacePlace.h"
+#include "Quads/Map/SeamlessMap.h"
 #include "Quads/QuadOptions.h"
-#include "Quads/SeamlessMap.h"
-#include "Quads/SurfacePlace.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -21,7 +21,7 @@ bool HaveLengths(const Discretisation& discretisation);
 /// Viertel and Osting 2019). A step of diffusion minimises the integral of |grad X|^2 + |X - Y|^2 / length^2, where Y is the field
 /// before, divided by its length. The times become shorter, so that singularities first move far and then find their places.
 ///
-/// What is prescribed holds on as it did, divided by its length: hard values exactly, and soft ones by their penalties.
+/// Prescribed values hold on as they did, divided by their lengths: hard ones exactly, and soft ones by their penalties.
 /// \param start of the same set-up and options. \pre HaveLengths
 /// \param area of the surface.
 /// \return a field of nearly unit length, shorter around singularities; its report is that of the start with the seconds and warnings of

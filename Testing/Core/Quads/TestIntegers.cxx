@@ -1,8 +1,8 @@
 // Integers with conditions, and integers near to real numbers.
 
-#include "Quads/ClosestIntegers.h"
-#include "Quads/ExactOrder.h"
-#include "Quads/IntegerLattice.h"
+#include "Quads/Map/ClosestIntegers.h"
+#include "Quads/Map/ExactOrder.h"
+#include "Quads/Map/IntegerLattice.h"
 
 #include "Support/Random.h"
 

@@ -1,8 +1,8 @@
 // Isolines of a map, and what they cut the surface into.
 
-#include "Quads/IndexedQuads.h"
-#include "Quads/IsolineArrangement.h"
-#include "Quads/IsolineCells.h"
+#include "Quads/Isolines/IndexedQuads.h"
+#include "Quads/Isolines/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineCells.h"
 
 #include "Support/DisjointSets.h"
 #include "Support/MeshFactory.h"

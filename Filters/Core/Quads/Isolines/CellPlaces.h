@@ -3,11 +3,11 @@
 
 #include "Constraints/NearestPlaces.h"
 #include "Mesh/FramedMesh.h"
-#include "Quads/AlignedEdges.h"
-#include "Quads/CrossField.h"
-#include "Quads/IsolineArrangement.h"
-#include "Quads/IsolineCells.h"
-#include "Quads/SurfacePlace.h"
+#include "Quads/Crosses/AlignedEdges.h"
+#include "Quads/Crosses/CrossField.h"
+#include "Quads/Isolines/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineCells.h"
+#include "Quads/Isolines/SurfacePlace.h"
 
 #include <vector>
 

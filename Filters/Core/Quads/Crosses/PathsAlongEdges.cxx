@@ -1,4 +1,4 @@
-#include "Quads/PathsAlongEdges.h"
+#include "Quads/Crosses/PathsAlongEdges.h"
 
 #include <functional>
 #include <limits>

@@ -2,9 +2,9 @@
 #define dmgSeamlessMap_h
 
 #include "Mesh/FramedMesh.h"
-#include "Quads/CrossField.h"
-#include "Quads/IntegerLattice.h"
-#include "Quads/SeamlessVariables.h"
+#include "Quads/Crosses/CrossField.h"
+#include "Quads/Map/IntegerLattice.h"
+#include "Quads/Map/SeamlessVariables.h"
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"

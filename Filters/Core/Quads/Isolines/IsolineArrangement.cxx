@@ -1,6 +1,6 @@
-#include "Quads/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineArrangement.h"
 
-#include "Quads/ExactOrder.h"
+#include "Quads/Map/ExactOrder.h"
 #include "Support/Errors.h"
 
 #include <algorithm>

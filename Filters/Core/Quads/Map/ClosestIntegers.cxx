@@ -1,4 +1,4 @@
-#include "Quads/ClosestIntegers.h"
+#include "Quads/Map/ClosestIntegers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Quads/CutSurface.h"
+#include "Quads/Crosses/CutSurface.h"
 
 #include "Analysis/TreeCotree.h"
 

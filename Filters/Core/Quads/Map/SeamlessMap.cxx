@@ -1,7 +1,7 @@
-#include "Quads/SeamlessMap.h"
+#include "Quads/Map/SeamlessMap.h"
 
-#include "Quads/ClosestIntegers.h"
-#include "Quads/ExactOrder.h"
+#include "Quads/Map/ClosestIntegers.h"
+#include "Quads/Map/ExactOrder.h"
 
 #include <algorithm>
 #include <cmath>

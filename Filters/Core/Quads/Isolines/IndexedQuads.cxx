@@ -1,4 +1,4 @@
-#include "Quads/IndexedQuads.h"
+#include "Quads/Isolines/IndexedQuads.h"
 
 #include "Support/DisjointSets.h"
 

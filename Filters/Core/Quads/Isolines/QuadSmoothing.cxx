@@ -1,4 +1,4 @@
-#include "Quads/QuadSmoothing.h"
+#include "Quads/Isolines/QuadSmoothing.h"
 
 #include <algorithm>
 #include <cmath>

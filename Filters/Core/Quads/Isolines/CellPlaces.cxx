@@ -1,4 +1,4 @@
-#include "Quads/CellPlaces.h"
+#include "Quads/Isolines/CellPlaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Quads/IsolineCells.h"
+#include "Quads/Isolines/IsolineCells.h"
 
 #include "Support/DisjointSets.h"
 

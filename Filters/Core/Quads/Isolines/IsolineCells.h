@@ -2,7 +2,7 @@
 #define dmgIsolineCells_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineArrangement.h"
 #include "Support/Types.h"
 
 #include <array>

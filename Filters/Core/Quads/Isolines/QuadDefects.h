@@ -2,9 +2,9 @@
 #define dmgQuadDefects_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/IndexedQuads.h"
-#include "Quads/IsolineArrangement.h"
-#include "Quads/IsolineCells.h"
+#include "Quads/Isolines/IndexedQuads.h"
+#include "Quads/Isolines/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineCells.h"
 
 #include <vector>
 

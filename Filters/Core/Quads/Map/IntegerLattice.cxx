@@ -1,4 +1,4 @@
-#include "Quads/IntegerLattice.h"
+#include "Quads/Map/IntegerLattice.h"
 
 #include "Support/Errors.h"
 

@@ -1,8 +1,8 @@
 #ifndef dmgIndexedQuads_h
 #define dmgIndexedQuads_h
 
-#include "Quads/IsolineArrangement.h"
-#include "Quads/IsolineCells.h"
+#include "Quads/Isolines/IsolineArrangement.h"
+#include "Quads/Isolines/IsolineCells.h"
 
 #include <array>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "Quads/AlignedEdges.h"
+#include "Quads/Crosses/AlignedEdges.h"
 
 #include "Constraints/SurfaceFeatures.h"
 #include "Mesh/SurfaceSizes.h"
@@ -26,7 +26,7 @@ double Deviation(const SurfaceAngles& angles, const CrossField& field, int halfe
 
 /// Sharp edges that the field follows on both sides.
 std::vector<char> SharpEdges(
-  const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const QuadOptions& options)
+  const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options)
 {
   const TriangleMesh& mesh = surface.Mesh;
   const double largest = options.LargestDeviation * Pi / 180.0;
@@ -72,7 +72,7 @@ void RemoveShortLines(const TriangleMesh& mesh, double shortest, std::vector<cha
 }
 
 std::vector<char> FindAlignedEdges(
-  const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const QuadOptions& options)
+  const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options)
 {
   const TriangleMesh& mesh = surface.Mesh;
   std::vector<char> isAligned(mesh.NumberOfEdges(), 0);

@@ -2,7 +2,7 @@
 #define dmgCutSurface_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/CrossField.h"
+#include "Quads/Crosses/CrossField.h"
 
 #include <vector>
 

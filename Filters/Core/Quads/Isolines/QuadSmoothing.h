@@ -2,8 +2,8 @@
 #define dmgQuadSmoothing_h
 
 #include "Constraints/NearestPlaces.h"
-#include "Quads/CellPlaces.h"
-#include "Quads/IndexedQuads.h"
+#include "Quads/Isolines/CellPlaces.h"
+#include "Quads/Isolines/IndexedQuads.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>

@@ -1,4 +1,4 @@
-#include "Quads/SeamlessVariables.h"
+#include "Quads/Map/SeamlessVariables.h"
 
 #include "Support/Errors.h"
 

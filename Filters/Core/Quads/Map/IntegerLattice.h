@@ -1,7 +1,7 @@
 #ifndef dmgIntegerLattice_h
 #define dmgIntegerLattice_h
 
-#include "Quads/IntegerTerms.h"
+#include "Quads/Map/IntegerTerms.h"
 
 #include <vector>
 

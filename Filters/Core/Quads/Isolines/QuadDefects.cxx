@@ -1,4 +1,4 @@
-#include "Quads/QuadDefects.h"
+#include "Quads/Isolines/QuadDefects.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "Quads/CrossField.h"
+#include "Quads/Crosses/CrossField.h"
 
-#include "Quads/PathsAlongEdges.h"
+#include "Quads/Crosses/PathsAlongEdges.h"
 #include "Solvers/Direct/CholeskySolver.h"
 
 #include <Eigen/SparseCore>

@@ -1,10 +1,10 @@
 #ifndef dmgSeamlessVariables_h
 #define dmgSeamlessVariables_h
 
-#include "Quads/AlignedEdges.h"
-#include "Quads/CrossField.h"
-#include "Quads/CutSurface.h"
-#include "Quads/IntegerTerms.h"
+#include "Quads/Crosses/AlignedEdges.h"
+#include "Quads/Crosses/CrossField.h"
+#include "Quads/Crosses/CutSurface.h"
+#include "Quads/Map/IntegerTerms.h"
 #include "Support/Types.h"
 
 #include <vector>

@@ -2,9 +2,9 @@
 #define dmgIsolineArrangement_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/CutSurface.h"
-#include "Quads/SeamlessMap.h"
-#include "Quads/SurfacePlace.h"
+#include "Quads/Crosses/CutSurface.h"
+#include "Quads/Isolines/SurfacePlace.h"
+#include "Quads/Map/SeamlessMap.h"
 
 #include <array>
 #include <utility>
