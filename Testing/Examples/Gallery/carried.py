@@ -21,7 +21,7 @@ def main():
     beyond = Threshold(Input=rays, Scalars=["POINTS", "GeodesicDistance"], LowerThreshold=0.06 * size, UpperThreshold=1e9)
     beams = Contour(Input=beyond, ContourBy=["POINTS", "Rays"], Isosurfaces=[0])
     show(Tube(Input=beams, Radius=0.0012 * size), view, RED, Ambient=1, Diffuse=0)
-    arrows = FieldGlyphs(Input=carried, Directions=["CELLS", "TransportedVectors"], SeparatingDistance=0.03)
+    arrows = glyphs_on(carried, Directions=["CELLS", "TransportedVectors"], SeparatingDistance=0.03)
     show(arrows, view, BLUE, Ambient=1, Diffuse=0, **right)
     save(view, "carried", 1.5)
     return carried

@@ -16,7 +16,7 @@ def main():
     speed.UpdatePipeline()
     colour_by_size("Speed", speed.PointData["Speed"].GetRange()[1])
     show_lines(field, view, 0.015)
-    show(FieldGlyphs(Input=field, SeparatingDistance=0.04), view, BLUE)
+    show(glyphs_on(field, SeparatingDistance=0.04), view, BLUE)
     show_singularities(field, view)
     save(view, "handles", 1.2)
     return field

@@ -39,7 +39,7 @@ def main():
         place = dict(Position=[2.3 * k, 0, 0], Orientation=[0, 0, turn])
         show_surface(drawn, view, Ambient=0.3, **place)
         if drawn is data:
-            strokes = FieldGlyphs(Input=data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03)
+            strokes = glyphs_on(data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03)
             show(strokes, view, RED)
         else:
             show_lines(field, view, 0.018, **place)

@@ -66,7 +66,7 @@ def main():
         show(SurfaceNormals(Input=parts), view, name, Ambient=0.2, Specular=0.1, **shift)
         low, high = servermanager.Fetch(parts).GetPointData().GetArray(name).GetRange()
         GetColorTransferFunction(name).RGBPoints = [low, 0.3, 0.5, 0.8, 0.5 * (low + high), *IVORY, high, 0.85, 0.35, 0.3]
-    arrows = FieldGlyphs(Input=parts, Directions=["CELLS", "GradientPart"], Sizing="By Magnitude", ScaleFactor=1.6)
+    arrows = glyphs_on(parts, Directions=["CELLS", "GradientPart"], Sizing="By Magnitude", ScaleFactor=1.6)
     show(arrows, view, BLUE, Ambient=1, Diffuse=0)
     show(Tube(Input=OutputPort(parts, 1), Radius=0.006), view, BLUE, Ambient=1, Diffuse=0, **right)
     skeleton(parts, view)

@@ -57,6 +57,11 @@ def lines_along(field, distance, width=0.0011):
     return Tube(Input=lines, Radius=width * size_of(field), NumberofSides=8)
 
 
+def glyphs_on(data, **properties):
+    """Glyphs that stand a little off the surface: these pictures show them as surfaces, not as Ink."""
+    return FieldGlyphs(Input=data, Lift=0.001, **properties)
+
+
 def show_lines(field, view, distance, colour=BLUE, **properties):
     return show(lines_along(field, distance), view, colour, **properties)
 

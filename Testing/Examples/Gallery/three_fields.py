@@ -23,7 +23,7 @@ def draw(field, strokes, name):
     colour_by_size("Magnitude", 1)
     show_lines(field, view, 0.025)
     if name != "power_field":
-        show(FieldGlyphs(Input=field, SeparatingDistance=0.05), view, BLUE)
+        show(glyphs_on(field, SeparatingDistance=0.05), view, BLUE)
     for stroke in strokes:
         show_arrow(stroke, view, 0.5, Position=[0, 0, 0.05])
     show_singularities(field, view)
