@@ -59,55 +59,73 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
 {
   const TriangleMesh& mesh = surface.Mesh;
   const int N = discretisation.DirectionsPerPoint();
-  const Unfilled<Complex> sides = SideDirections(mesh, surface.Faces, context);
-  const Unfilled<Corner> corners = Corners(mesh, sides, surface.Faces, surface.Vertices, context);
+  const VertexConnection* const connection = discretisation.ConnectionOfPowers(context);
+  // A connection carries directions between faces and vertices by itself.
+  Unfilled<Complex> sides;
+  Unfilled<Corner> corners;
+  if (!connection)
+  {
+    sides = SideDirections(mesh, surface.Faces, context);
+    corners = Corners(mesh, sides, surface.Faces, surface.Vertices, context);
+  }
   Field field;
   field.IsCombed = combing;
   field.N = N;
   field.Powers = discretisation.Powers(unknowns, corners, context);
   const Vector<Complex>& powers = field.Powers.Faces;
   context.Checkpoint(0.3);
-  PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
-  context.Checkpoint(0.6);
 
   std::vector<int> labels;
   if (combing && former && former->IsCombed && former->N == N)
   {
     labels = LabelsNearTo(former->OnFaces, powers, N, context);
   }
-  // A tree grows in one thread; what does not need it goes on beside.
-  CallBoth(
-    context,
-    [&]
+  const bool growsTree = combing && labels.empty();
+  PrincipalMatching matching;
+  if (growsTree || !connection)
+  {
+    if (connection)
     {
-      if (combing && labels.empty())
-      {
-        labels = CombingLabels(mesh, powers, matching, N, context);
-      }
-    },
-    [&]
+      sides = SideDirections(mesh, surface.Faces, context);
+    }
+    matching = MatchDirections(mesh, sides, powers, N, context);
+  }
+  context.Checkpoint(0.6);
+
+  const auto findIndices = [&]
+  {
+    if (!connection)
     {
-      if (const VertexConnection* const connection = discretisation.ConnectionOfPowers(context))
-      {
-        field.AreSingularitiesOnFaces = true;
-        field.Rotation = RotationAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
-        field.Indices = IndicesOfFaces(mesh, *connection, field.Rotation, N, context);
-        for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-        {
-          field.Rotation[edge] *=
-            mesh.EdgeSign(mesh.HalfedgeOf(edge)); // on the boundary an edge may have the other halfedge alone
-        }
-        return;
-      }
       field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
-    });
-  if (!field.AreSingularitiesOnFaces)
+      return;
+    }
+    field.AreSingularitiesOnFaces = true;
+    field.Rotation = RotationAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
+    field.Indices = IndicesOfFaces(mesh, *connection, field.Rotation, N, context);
+    for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+    {
+      field.Rotation[edge] *=
+        mesh.EdgeSign(mesh.HalfedgeOf(edge)); // on the boundary an edge may have the other halfedge alone
+    }
+  };
+  if (growsTree)
+  {
+    // It grows in one thread; what does not need it goes on beside.
+    CallBoth(
+      context, [&] { labels = CombingLabels(mesh, powers, matching, N, context); }, findIndices);
+  }
+  else
+  {
+    findIndices();
+  }
+  if (!connection)
   {
     field.Rotation = std::move(matching.Rotation);
   }
   field.OnFaces = FirstDirections(powers, N, labels, context);
+  const auto turnFromFace = [&](int h) { return connection ? connection->TurnFromFace(h) : corners[h].Turn; };
   field.AtVertices = combing
-    ? FirstDirectionsAtVertices(mesh, corners, field.OnFaces, field.Powers.Vertices, N, context)
+    ? FirstDirectionsAtVertices(mesh, turnFromFace, field.OnFaces, field.Powers.Vertices, N, context)
     : FirstDirections(field.Powers.Vertices, N, {}, context);
   context.Checkpoint(1.0);
   return field;

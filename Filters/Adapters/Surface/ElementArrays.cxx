@@ -28,6 +28,15 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   return array;
 }
 
+template <class WriteRow>
+void ArraysOfCells::ForCells(const std::vector<double*>& arrays, int components, const WriteRow& write) const
+{
+  this->Surface.IsOneToOne() && this->Surface.NumberOfFaces() == this->Tuples
+    ? this->ForElements([this](int face) { return this->Surface.CellOf(face); }, write)
+    : this->ForTuples(
+        arrays, components, [this](int cell) { return this->Surface.FacesOf(cell); }, write);
+}
+
 void ArraysOfCells::Add(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);
@@ -47,8 +56,7 @@ void ArraysOfCells::Add(const std::string& name, int components, const double* v
     }
     std::transform(tuple, tuple + components, tuple, [weights](double sum) { return sum / weights; });
   };
-  this->ForTuples(
-    { tuples }, components, [this](int cell) { return this->Surface.FacesOf(cell); },
+  this->ForCells({ tuples }, components,
     [&](vtkIdType cell, const ElementRow& faces)
     {
       if (faces.size() > 1)
@@ -63,8 +71,7 @@ void ArraysOfCells::Add(const std::string& name, int components, const double* v
 void ArraysOfCells::AddSums(const std::string& name, const double* values) const
 {
   double* const tuples = this->NewTuples(name, 1);
-  this->ForTuples(
-    { tuples }, 1, [this](int cell) { return this->Surface.FacesOf(cell); },
+  this->ForCells({ tuples }, 1,
     [&](vtkIdType cell, const ElementRow& faces)
     {
       tuples[cell] = 0.0;
@@ -78,8 +85,7 @@ void ArraysOfCells::AddSums(const std::string& name, const double* values) const
 void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) const
 {
   double* const tuples = this->NewTuples(name, 1);
-  this->ForTuples(
-    { tuples }, 1, [this](int cell) { return this->Surface.FacesOf(cell); },
+  this->ForCells({ tuples }, 1,
     [&](vtkIdType cell, const ElementRow& faces) { tuples[cell] = values[LargestFace(this->Mesh, faces)]; });
 }
 
@@ -94,8 +100,7 @@ void ArraysOfCells::AddPowers(
 {
   double* const tuples = this->NewTuples(name, 2);
   const CellDirections means(this->Mesh, frames, N);
-  this->ForTuples(
-    { tuples }, 2, [this](int cell) { return this->Surface.FacesOf(cell); },
+  this->ForCells({ tuples }, 2,
     [&](vtkIdType cell, const ElementRow& faces)
     {
       if (faces.size() == 1)
@@ -120,8 +125,7 @@ void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrame
   const Vector<Complex>& directions, int N, const DirectionVectors& vectors) const
 {
   const CellDirections means(this->Mesh, frames, N);
-  this->ForTuples(
-    arrays, 3, [this](int cell) { return this->Surface.FacesOf(cell); },
+  this->ForCells(arrays, 3,
     [&](vtkIdType cell, const ElementRow& faces)
     {
       const auto write = [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, arrays[k] + 3 * cell); };
@@ -137,7 +141,6 @@ void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrame
 
 Points ArraysOfElements::InSpace(const TangentFrames& frames, const Vector<Complex>& field) const
 {
-  constexpr int Grain = 8192;
   Points vectors(field.size(), 3);
   this->Context.ParallelFor(0, static_cast<int>(field.size()), Grain,
     [&](int first, int last)
@@ -150,11 +153,19 @@ Points ArraysOfElements::InSpace(const TangentFrames& frames, const Vector<Compl
   return vectors;
 }
 
+template <class WriteRow>
+void ArraysOfPoints::ForPoints(const std::vector<double*>& arrays, int components, const WriteRow& write) const
+{
+  this->Surface.IsOneToOne() && this->Surface.NumberOfVertices() == this->Tuples
+    ? this->ForElements([this](int vertex) { return this->Surface.PointOf(vertex); }, write)
+    : this->ForTuples(
+        arrays, components, [this](int point) { return this->Surface.VerticesOf(point); }, write);
+}
+
 void ArraysOfPoints::Add(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);
-  this->ForTuples(
-    { tuples }, components, [this](int point) { return this->RowOf(point); },
+  this->ForPoints({ tuples }, components,
     [&](vtkIdType point, const ElementRow& vertices)
     {
       std::copy_n(
@@ -165,8 +176,7 @@ void ArraysOfPoints::Add(const std::string& name, int components, const double* 
 void ArraysOfPoints::AddSums(const std::string& name, const double* values) const
 {
   double* const tuples = this->NewTuples(name, 1);
-  this->ForTuples(
-    { tuples }, 1, [this](int point) { return this->RowOf(point); },
+  this->ForPoints({ tuples }, 1,
     [&](vtkIdType point, const ElementRow& vertices)
     {
       tuples[point] = 0.0;
@@ -181,8 +191,7 @@ void ArraysOfPoints::AddDirections(
   const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const
 {
   const std::vector<double*> arrays = this->NewDirections(vectors.Visited);
-  this->ForTuples(
-    arrays, 3, [this](int point) { return this->RowOf(point); },
+  this->ForPoints(arrays, 3,
     [&](vtkIdType point, const ElementRow& vertices)
     {
       vectors.VisitAt(frames, vertices.front(), firstDirections[vertices.front()],

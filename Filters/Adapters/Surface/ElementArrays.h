@@ -31,6 +31,8 @@ void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 class ArraysOfElements
 {
 protected:
+  static constexpr int Grain = 8192;
+
   ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context, double elsewhere)
     : Data(data)
     , Tuples(static_cast<int>(tuples)) // MeshFromDataSet has seen to it
@@ -59,12 +61,25 @@ protected:
   /// Vectors of a field in frames.
   Points InSpace(const TangentFrames& frames, const Vector<Complex>& field) const;
 
-  /// Calls write(tuple, row of its elements), and fills tuples without elements. Arrays are written from one
-  /// end to the other: the arrays that they are made from are smaller.
+  /// Calls write(tuple, row of its elements) in the order of the elements, which are neighbours in memory where they are neighbours
+  /// on the surface. \pre tuples and elements are one to one.
+  template <class TupleOf, class Write>
+  void ForElements(const TupleOf& tupleOf, const Write& write) const
+  {
+    this->Context.ParallelFor(0, this->Tuples, Grain,
+      [&](int first, int last)
+      {
+        for (int element = first; element < last; ++element)
+        {
+          write(static_cast<vtkIdType>(tupleOf(element)), ElementRow{ &element, &element + 1 });
+        }
+      });
+  }
+
+  /// Calls write(tuple, row of its elements) in the order of the tuples, and fills tuples without elements.
   template <class RowOf, class Write>
   void ForTuples(const std::vector<double*>& arrays, int components, const RowOf& rowOf, const Write& write) const
   {
-    constexpr int Grain = 8192;
     this->Context.ParallelFor(0, this->Tuples, Grain,
       [&](int first, int last)
       {
@@ -131,6 +146,8 @@ public:
     const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const;
 
 private:
+  template <class WriteRow>
+  void ForCells(const std::vector<double*>& arrays, int components, const WriteRow& write) const;
   void Write(const std::vector<double*>& arrays, const TangentFrames& frames, const Vector<Complex>& directions, int N,
     const DirectionVectors& vectors) const;
 
@@ -167,7 +184,8 @@ public:
     const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const;
 
 private:
-  ElementRow RowOf(int point) const { return this->Surface.VerticesOf(point); }
+  template <class WriteRow>
+  void ForPoints(const std::vector<double*>& arrays, int components, const WriteRow& write) const;
 
   const SurfaceRelation& Surface;
 };

@@ -65,6 +65,9 @@ public:
   /// The relation of a mesh whose faces are the cells, and whose vertices are the points.
   static SurfaceRelation OneToOne(const TriangleMesh& mesh);
 
+  int NumberOfFaces() const { return static_cast<int>(this->CellsOfFaces.size()); }
+  int NumberOfVertices() const { return static_cast<int>(this->PointsOfVertices.size()); }
+
   /// The cell that a face is a part of.
   int CellOf(int face) const { return this->FirstCell + this->CellsOfFaces[face]; }
   /// The point where a vertex is; the first one of those that were joined.

@@ -159,14 +159,14 @@ Vector<double> RotationAlongEdges(const TriangleMesh& mesh, const VertexConnecti
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   Vector<double> rotation(mesh.NumberOfEdges());
-  const auto argument = [&powers](int vertex) { return powers[vertex] == 0.0 ? 0.0 : std::arg(powers[vertex]); };
+  const Vector<double> arguments = Arguments(powers, context);
   context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
     [&](int first, int last)
     {
       for (int edge = first; edge < last; ++edge)
       {
         const int h = mesh.HalfedgeOf(edge);
-        const double difference = argument(mesh.Head(h)) - argument(mesh.Tail(h)) - N * connection.Transport(h);
+        const double difference = arguments[mesh.Head(h)] - arguments[mesh.Tail(h)] - N * connection.Transport(h);
         rotation[edge] = std::remainder(difference, 2.0 * Pi) / N;
       }
     });

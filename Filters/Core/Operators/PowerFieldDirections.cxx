@@ -68,13 +68,19 @@ std::vector<RotationClass> ClassesOf(const TriangleMesh& mesh, const Vector<Comp
 
 }
 
+Vector<double> Arguments(const Vector<Complex>& powers, const ExecutionContext& context)
+{
+  Vector<double> arguments(powers.size());
+  context.ParallelFor(0, static_cast<int>(powers.size()), Grain,
+    [&](int first, int last)
+    { std::transform(powers.data() + first, powers.data() + last, arguments.data() + first, Argument); });
+  return arguments;
+}
+
 PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
-  Vector<double> arguments(powers.size());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
-    [&](int first, int last)
-    { std::transform(powers.data() + first, powers.data() + last, arguments.data() + first, Argument); });
+  const Vector<double> arguments = Arguments(powers, context);
   PrincipalMatching matching{ Vector<double>(mesh.NumberOfEdges()),
     std::vector<signed char>(3 * mesh.NumberOfFaces()) };
   context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
@@ -212,7 +218,7 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner
   return atVertices;
 }
 
-Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
+Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const std::function<Complex(int)>& turnFromFace,
   const Vector<Complex>& ofFaces, const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context)
 {
   Vector<Complex> directions(mesh.NumberOfVertices());
@@ -222,7 +228,7 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfill
       for (int vertex = first; vertex < last; ++vertex)
       {
         Complex sum = 0.0;
-        mesh.VisitFan(vertex, [&](int h) { sum += corners[h].Turn * ofFaces[TriangleMesh::FaceOf(h)]; });
+        mesh.VisitFan(vertex, [&](int h) { sum += turnFromFace(h) * ofFaces[TriangleMesh::FaceOf(h)]; });
         const Complex power = vertexPowers[vertex];
         const auto step = static_cast<int>(std::lround(StepsFromFirst(sum, power, N)));
         directions[vertex] = std::polar(std::abs(power), AngleOfDirection(power, step, N));

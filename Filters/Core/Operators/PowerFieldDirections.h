@@ -7,6 +7,7 @@
 #include "Support/Types.h"
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 /// The directions of a power field, their matching across edges, and the singularities, around which no matching
@@ -15,6 +16,9 @@
 /// O(#F).
 namespace dmg
 {
+
+/// The arguments of powers; arg(0) counts as zero.
+Vector<double> Arguments(const Vector<Complex>& powers, const ExecutionContext& context = SerialContext());
 
 /// Matches each direction of a face with the nearest one beyond an edge.
 struct PrincipalMatching
@@ -98,7 +102,8 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
 /// First directions of vertices: the nearest to those of the faces around.
-Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
+/// \param turnFromFace(halfedge) carries directions from its face into the frame of its tail.
+Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const std::function<Complex(int)>& turnFromFace,
   const Vector<Complex>& ofFaces, const Vector<Complex>& vertexPowers, int N,
   const ExecutionContext& context = SerialContext());
 

@@ -202,8 +202,8 @@ void CombSigns(const FramedMesh& surface, PrincipalDirections& directions, const
     CombingLabels(mesh, ofFaces, MatchDirections(mesh, sides, ofFaces, N, context), N, context);
   directions.Faces.MaximumDirections = FirstDirections(ofFaces, N, labels, context);
   const Unfilled<Corner> corners = Corners(mesh, sides, surface.Faces, surface.Vertices, context);
-  directions.Vertices.MaximumDirections =
-    FirstDirectionsAtVertices(mesh, corners, directions.Faces.MaximumDirections, ofVertices, N, context);
+  directions.Vertices.MaximumDirections = FirstDirectionsAtVertices(
+    mesh, [&corners](int h) { return corners[h].Turn; }, directions.Faces.MaximumDirections, ofVertices, N, context);
 }
 
 }

@@ -269,8 +269,9 @@ TEST(FirstDirectionsAtVertices, AreThoseOfTheFacesAround)
     const Vector<Complex> X = PowersOfDirection(faceFrames, v, N);
     const std::vector<int> faceLabels = Combed(mesh, faceFrames, X, N);
     const Vector<Complex> atVertices = PowersAtVertices(mesh, CornersOf(mesh), X, N);
-    const Vector<Complex> first =
-      FirstDirectionsAtVertices(mesh, CornersOf(mesh), FirstDirections(X, N, faceLabels), atVertices, N);
+    const Vector<Complex> first = FirstDirectionsAtVertices(
+      mesh, [corners = CornersOf(mesh)](int h) { return corners[h].Turn; }, FirstDirections(X, N, faceLabels),
+      atVertices, N);
     const Points ofFaces = DirectionsOf(faceFrames, X, N, true, faceLabels)[0];
     Points ofVertices(mesh.NumberOfVertices(), 3);
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
