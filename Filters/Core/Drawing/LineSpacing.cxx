@@ -114,7 +114,7 @@ bool LineSpacing::VisitStrips(
 }
 
 template <class Visit>
-void LineSpacing::VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit)
+void LineSpacing::VisitNear(const SurfacePoint& at, Complex direction, const double& distance, const Visit& visit)
 {
   this->Walk.Around(at, distance,
     [&](const SurfaceWalk::Placement& placement)
@@ -130,7 +130,8 @@ LineSpacing::Neighbour LineSpacing::Nearest(
   const SurfacePoint& at, Complex direction, double distance, const Exclusion& exclusion)
 {
   Neighbour nearest;
-  this->VisitNear(at, direction, distance,
+  double within = distance; // farther segments than the nearest so far are not looked for
+  this->VisitNear(at, direction, within,
     [&](const Segment& segment, double gap)
     {
       const bool isExcluded = segment.Line == exclusion.Line &&
@@ -138,6 +139,7 @@ LineSpacing::Neighbour LineSpacing::Nearest(
       if (!isExcluded && gap < nearest.Distance)
       {
         nearest = { gap, segment.Line, segment.ArcFrom };
+        within = gap;
       }
       return true;
     });

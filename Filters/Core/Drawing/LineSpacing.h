@@ -85,7 +85,7 @@ private:
   bool VisitStrips(
     const SurfaceWalk::Placement& placement, Complex direction, double distance, const Visit& visit) const;
   template <class Visit>
-  void VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit);
+  void VisitNear(const SurfacePoint& at, Complex direction, const double& distance, const Visit& visit);
 
   const UnfoldedSurface& Surface;
   const DirectionsOnFaces& Field;

@@ -139,26 +139,32 @@ void SurfaceWalk::Begin(const SurfacePoint& centre)
 
 void SurfaceWalk::AddNeighbours(const Placement& placement, double squaredDistance)
 {
-  const TriangleMesh& mesh = this->Surface.Mesh();
   const int first = 3 * placement.Face;
-  const std::array<Complex, 3> corners = { placement.Place(this->Surface.Corner(first)),
-    placement.Place(this->Surface.Corner(first + 1)), placement.Place(this->Surface.Corner(first + 2)) };
-  for (int k = 0; k < 3; ++k)
+  const Complex a = placement.Origin; // the first corner is at zero
+  const Complex b = placement.Place(this->Surface.Corner(first + 1));
+  const Complex c = placement.Place(this->Surface.Corner(first + 2));
+  this->AddNeighbour(placement, first, a, b, squaredDistance);
+  this->AddNeighbour(placement, first + 1, b, c, squaredDistance);
+  this->AddNeighbour(placement, first + 2, c, a, squaredDistance);
+}
+
+void SurfaceWalk::AddNeighbour(
+  const Placement& placement, int halfedge, Complex tail, Complex head, double squaredDistance)
+{
+  const int twin = this->Surface.Mesh().Twin(halfedge);
+  if (twin < 0)
   {
-    const int twin = mesh.Twin(first + k);
-    if (twin < 0 || this->Rounds[TriangleMesh::FaceOf(twin)] == this->Round)
-    {
-      continue;
-    }
-    const Complex head = corners[k == 2 ? 0 : k + 1];
-    if (std::norm(head) < squaredDistance || SquaredDistanceToSegment(corners[k], head) < squaredDistance)
-    {
-      const int face = TriangleMesh::FaceOf(twin);
-      this->Rounds[face] = this->Round;
-      const Complex turn = placement.Turn * std::conj(this->Surface.Across(first + k));
-      this->Queue.push_back({ face, turn, head - turn * this->Surface.Corner(twin) });
-    }
+    return;
   }
+  const int face = TriangleMesh::FaceOf(twin);
+  if (this->Rounds[face] == this->Round ||
+    !(std::norm(head) < squaredDistance || SquaredDistanceToSegment(tail, head) < squaredDistance))
+  {
+    return;
+  }
+  this->Rounds[face] = this->Round;
+  const Complex turn = placement.Turn * std::conj(this->Surface.Across(halfedge));
+  this->Queue.push_back({ face, turn, head - turn * this->Surface.Corner(twin) });
 }
 
 }

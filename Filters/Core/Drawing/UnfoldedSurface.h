@@ -124,8 +124,9 @@ public:
 
   /// Calls visit(placement) for the face of a point and those that have a point within a distance of it; a walk ends
   /// where visit returns false. Cost: O(faces visited).
+  /// \param distance may become smaller on the way.
   template <class Visit>
-  void Around(const SurfacePoint& centre, double distance, const Visit& visit)
+  void Around(const SurfacePoint& centre, const double& distance, const Visit& visit)
   {
     this->Begin(centre);
     for (std::size_t next = 0; next < this->Queue.size(); ++next)
@@ -142,6 +143,8 @@ public:
 private:
   void Begin(const SurfacePoint& centre);
   void AddNeighbours(const Placement& placement, double squaredDistance);
+  /// \param tail, head the ends of the halfedge in the plane of the walk.
+  void AddNeighbour(const Placement& placement, int halfedge, Complex tail, Complex head, double squaredDistance);
 
   const UnfoldedSurface& Surface;
   std::vector<int> Rounds; // per face: the last walk that came there
