@@ -46,10 +46,10 @@ int vtkFieldAngles::RequestData(
       vtkDataSet* const input = given.Data;
       vtkDataSet* const output = vtkDataSet::GetData(outputVector);
       const dmg::Points references =
-        dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
-      const dmg::SidesOfSurface sides = dmg::FindSides(given.Surface.Mesh);
+        dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, *given.Surface, dmg::Vector3(this->Axis));
+      const dmg::SidesOfSurface sides = dmg::FindSides(given.Surface->Geometry.Mesh);
       dmg::Vector<double> angles =
-        180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, sides, context);
+        180.0 / dmg::Pi * dmg::AnglesOfField(given.Surface->Geometry.Faces, given.Field, references, sides, context);
       if (const auto undefined = angles.array().isNaN().count())
       {
         vtkWarningMacro("there is no angle on " << undefined << " of " << angles.size()
@@ -62,7 +62,7 @@ int vtkFieldAngles::RequestData(
       output->ShallowCopy(input);
       dmg::AddPositiveSide(sides, output->GetFieldData());
       vtkNew<vtkFieldData> arrays;
-      dmg::ArraysOfCells(given.Surface.Mesh, given.Surface, input, arrays, context)
+      dmg::ArraysOfCells(given.Surface->Geometry.Mesh, given.Surface->Relation, input, arrays, context)
         .AddOfLargest("Angle", angles.data());
       output->GetCellData()->SetScalars(arrays->GetArray(0));
     });

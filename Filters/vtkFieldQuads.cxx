@@ -26,7 +26,7 @@ namespace
 dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, vtkDataSet* input, const dmg::CrossesOfSurface& surface)
 {
   const dmg::ChosenArray chosen = dmg::FindArray(choice, input, 1, "sizes", "the surface");
-  const dmg::TriangleMesh& mesh = surface.Geometry->Mesh;
+  const dmg::TriangleMesh& mesh = surface.Surface->Geometry.Mesh;
   dmg::Vector<double> sizes(chosen.Array ? mesh.NumberOfFaces() : 0);
   for (int face = 0; face < sizes.size(); ++face)
   {
@@ -34,7 +34,8 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, vtkDataSet* input, c
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
       sum += chosen.Array->GetComponent(
-        chosen.OnPoints() ? surface.Relation.PointOf(mesh.Tail(h)) : surface.Relation.CellOf(face), 0);
+        chosen.OnPoints() ? surface.Surface->Relation.PointOf(mesh.Tail(h)) : surface.Surface->Relation.CellOf(face),
+        0);
     }
     sizes[face] = sum / 3.0;
   }
@@ -104,8 +105,8 @@ int vtkFieldQuads::RequestData(
     const dmg::CrossesOfSurface surface =
       dmg::CrossesOf(this, input, this->NumberOfDirections, options, dmg::PartOfContext(context, 0.0, 0.3));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), input, surface);
-    const dmg::QuadMesh quads = dmg::MakeQuads(
-      *surface.Geometry, surface.Powers, options, dmg::PartOfContext(context, 0.3, 1.0), surface.Relation.Names());
+    const dmg::QuadMesh quads = dmg::MakeQuads(surface.Surface->Geometry, surface.Powers, options,
+      dmg::PartOfContext(context, 0.3, 1.0), surface.Surface->Relation.Names());
     dmg::MapToPolyData(quads, surface, input, output(1));
     if (!quads.Report.Error.empty())
     {

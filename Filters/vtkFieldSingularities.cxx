@@ -19,13 +19,13 @@ namespace
 
 void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& given, const dmg::FieldTopology& topology)
 {
-  const dmg::TriangleMesh& mesh = given.Surface.Mesh;
+  const dmg::TriangleMesh& mesh = given.Surface->Geometry.Mesh;
   const std::vector<int> vertices =
     dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), !given.IsAtPoints);
   if (!vertices.empty())
   {
     vtkWarningWithObjectMacro(
-      algorithm, << "A singularity at " << given.Surface.Names().Vertex(vertices.front())
+      algorithm, << "A singularity at " << given.Surface->Relation.Names().Vertex(vertices.front())
                  << (vertices.size() > 1 ? " and others look" : " looks")
                  << " like several of smaller indices and both signs, as the field turns by more than "
                  << dmg::ShortText(180.0 / given.Field.N())
@@ -35,10 +35,10 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
 
 dmg::FieldTopology TopologyOf(const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
 {
-  const dmg::TriangleMesh& mesh = given.Surface.Mesh;
+  const dmg::TriangleMesh& mesh = given.Surface->Geometry.Mesh;
   if (!given.IsAtPoints)
   {
-    return dmg::TopologyOfField(mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+    return dmg::TopologyOfField(mesh, given.Surface->Geometry.Faces, given.Field.First(), given.Field.N(), context);
   }
   const dmg::FieldAtVertices at = dmg::ReadFieldAtPoints(given, context);
   return dmg::TopologyOfVertexField(mesh, at.Connection, at.First, given.Field.N(), context);

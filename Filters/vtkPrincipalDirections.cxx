@@ -5,6 +5,7 @@
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -25,15 +26,15 @@ int vtkPrincipalDirections::RequestData(
     dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions options{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
-    dmg::SurfaceMesh surface = dmg::MeshFromDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
-    dmg::WarnOfPreparation(this, surface.Report);
-    const dmg::FramedMesh framed(std::move(surface.Mesh), dmg::PartOfContext(context, 0.3, 0.3));
+    const auto prepared = dmg::PrepareDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
+    dmg::WarnOfPreparation(this, prepared->Report);
+    const dmg::FramedMesh& framed = prepared->Geometry;
     dmg::PrincipalDirections found =
       dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.85));
     dmg::CombSigns(framed, found, dmg::PartOfContext(context, 0.85, 0.9));
     output->ShallowCopy(input);
-    dmg::AddPreparation(surface.Report, options, output->GetFieldData());
-    dmg::AddCurvatures({ framed, surface }, found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
+    dmg::AddPreparation(prepared->Report, options, output->GetFieldData());
+    dmg::AddCurvatures(prepared->Surface(), found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

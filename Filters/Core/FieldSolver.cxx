@@ -118,8 +118,8 @@ void ClearSingularVertices(Field& field)
 class FieldSolver::Internals
 {
 public:
-  Internals(TriangleMesh mesh, const ExecutionContext& context)
-    : Surface(std::move(mesh), context)
+  explicit Internals(std::shared_ptr<const FramedMesh> surface)
+    : Shared(std::move(surface))
     , Setups(this->Surface)
     , Singular(this->Surface, this->Setups)
     , ConstraintsOfSurface(this->Surface)
@@ -140,7 +140,8 @@ public:
     return this->System->Problem.Equations(this->KeyOfSolution->Values, context, this->KeyOfSolution->Source);
   }
 
-  const FramedMesh Surface;
+  const std::shared_ptr<const FramedMesh> Shared;
+  const FramedMesh& Surface = *Shared;
   std::shared_ptr<const ProlongationOperators> GivenOperators;
   SetupCache Setups;
   SingularStages Singular;
@@ -359,7 +360,12 @@ void FieldSolver::Internals::FindBasis(const FieldProblem& problem, const Execut
 }
 
 FieldSolver::FieldSolver(TriangleMesh mesh, const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(std::move(mesh), context))
+  : FieldSolver(std::make_shared<const FramedMesh>(std::move(mesh), context))
+{
+}
+
+FieldSolver::FieldSolver(std::shared_ptr<const FramedMesh> surface)
+  : Internal(std::make_unique<Internals>(std::move(surface)))
 {
 }
 

@@ -41,6 +41,8 @@ class FieldSolver
 public:
   /// Cost: O(#F).
   explicit FieldSolver(TriangleMesh mesh, const ExecutionContext& context = SerialContext());
+  /// Shares a surface with others. \pre not null.
+  explicit FieldSolver(std::shared_ptr<const FramedMesh> surface);
   ~FieldSolver();
 
   const FramedMesh& Surface() const;

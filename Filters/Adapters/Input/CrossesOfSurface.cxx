@@ -58,27 +58,24 @@ CrossesOfSurface FromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, int N, c
   }
   CrossesOfSurface crosses;
   crosses.Powers = FourthPowers(given.Field.First());
-  crosses.Relation = given.Surface;
-  crosses.Geometry = std::make_shared<const FramedMesh>(std::move(given.Surface.Mesh), context);
+  crosses.Surface = given.Surface;
   return crosses;
 }
 
 CrossesOfSurface Smoothest(
   vtkAlgorithm* algorithm, vtkDataSet* input, const QuadOptions& options, const ExecutionContext& context)
 {
-  SurfaceMesh surface = MeshFromDataSet(input, PreparationOf(input), PartOfContext(context, 0.0, 0.2));
-  WarnOfPreparation(algorithm, surface.Report);
-  const auto solver = std::make_shared<FieldSolver>(std::move(surface.Mesh), context);
+  CrossesOfSurface crosses;
+  crosses.Surface = PrepareDataSet(input, PreparationOf(input), PartOfContext(context, 0.0, 0.2));
+  WarnOfPreparation(algorithm, crosses.Surface->Report);
+  FieldSolver solver(std::shared_ptr<const FramedMesh>(crosses.Surface, &crosses.Surface->Geometry));
   FieldProblem problem;
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
   problem.Features.SharpEdgesWeight = options.AlignSharpEdges ? WeightOfAligned : 0.0;
   problem.Features.FeatureAngle = options.FeatureAngle;
   problem.UnitLengthWhileSmoothing = true;
-  CrossesOfSurface crosses;
-  crosses.Relation = surface;
-  const Field& field = solver->Solve(problem, PartOfContext(context, 0.2, 1.0), surface.Names());
+  const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), crosses.Surface->Relation.Names());
   crosses.Powers = FourthPowers(field.OnFaces);
-  crosses.Geometry = std::shared_ptr<const FramedMesh>(solver, &solver->Surface());
   return crosses;
 }
 

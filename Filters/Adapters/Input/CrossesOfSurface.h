@@ -1,8 +1,7 @@
 #ifndef dmgCrossesOfSurface_h
 #define dmgCrossesOfSurface_h
 
-#include "Mesh/FramedMesh.h"
-#include "Mesh/SurfaceRelation.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 #include "Quads/QuadOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -18,8 +17,7 @@ namespace dmg
 /// A surface with a cross field on its faces.
 struct CrossesOfSurface
 {
-  std::shared_ptr<const FramedMesh> Geometry;
-  SurfaceRelation Relation;
+  std::shared_ptr<const PreparedDataSet> Surface;
   Vector<Complex> Powers; ///< fourth powers of the directions of faces, 0 where there is none
 };
 

@@ -73,16 +73,16 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
 class CellsOnFaces
 {
 public:
-  CellsOnFaces(const SurfaceMesh& surface, const TangentFrames& frames, const ExecutionContext& context)
-    : Surface(surface)
-    , Frames(frames)
-    , Normals(NormalsOfCells(surface.Mesh, frames, surface, context))
+  CellsOnFaces(const PreparedDataSet& surface, const ExecutionContext& context)
+    : Relation(surface.Relation)
+    , Frames(surface.Geometry.Faces)
+    , Normals(NormalsOfCells(surface.Geometry.Mesh, surface.Geometry.Faces, surface.Relation, context))
   {
   }
 
   Complex Read(vtkDataArray* array, int face) const
   {
-    const int cell = this->Surface.CellOf(face);
+    const int cell = this->Relation.CellOf(face);
     if (this->Normals.rows() == 0 || HoldsTensors(array))
     {
       return ReadTuple(array, cell, this->Frames, face);
@@ -92,7 +92,7 @@ public:
     return TangentialPart(vector, OnFaceOfCell(this->Frames, face, this->Normals.row(face), vector));
   }
 
-  const SurfaceMesh& Surface;
+  const SurfaceRelation& Relation;
 
 private:
   const TangentFrames& Frames;
@@ -135,12 +135,12 @@ Vector<Complex> ReadTuples(
   return directions;
 }
 
-Vector<Complex> ReadVertices(vtkDataArray* array, const TangentFrames& frames, const SurfaceMesh& surface,
-  std::set<vtkIdType>& left, const ExecutionContext& context)
+Vector<Complex> ReadVertices(
+  vtkDataArray* array, const PreparedDataSet& surface, std::set<vtkIdType>& left, const ExecutionContext& context)
 {
-  const auto pointOf = [&surface](int vertex) { return surface.PointOf(vertex); };
-  return ReadTuples([&](int vertex) { return ReadTuple(array, pointOf(vertex), frames, vertex); },
-    surface.Mesh.NumberOfVertices(), pointOf, left, context);
+  const auto pointOf = [&surface](int vertex) { return surface.Relation.PointOf(vertex); };
+  return ReadTuples([&](int vertex) { return ReadTuple(array, pointOf(vertex), surface.Geometry.Vertices, vertex); },
+    surface.Geometry.Mesh.NumberOfVertices(), pointOf, left, context);
 }
 
 /// Refuses arrays Direction1, ... that are not Direction0, turned.
@@ -181,7 +181,7 @@ void CheckSiblings(
       });
     for (vtkIdType cell = 0; !areTurned && cell < input->GetNumberOfCells(); ++cell)
     {
-      const ElementRow faces = cells.Surface.FacesOf(cell);
+      const ElementRow faces = cells.Relation.FacesOf(cell);
       if (!std::all_of(faces.begin(), faces.end(), isTurned))
       {
         throw InvalidInput("the vectors Direction0 and " + ArrayNames::Direction(k) + " of cell " +
@@ -235,9 +235,10 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
     throw InvalidInput("array '" + NameOf(chosen.Array) +
       "' holds tensors, whose principal directions have no sign; choose 2 or 4 as Number Of Directions");
   }
-  SurfaceMesh surface = MeshFromDataSet(input, PreparationOf(input), context);
-  const TriangleMesh& mesh = surface.Mesh;
-  TangentFrames frames = FaceFrames(mesh, context);
+  auto surface = PrepareDataSet(input, PreparationOf(input), context);
+  const TriangleMesh& mesh = surface->Geometry.Mesh;
+  const TangentFrames& frames = surface->Geometry.Faces;
+  const TangentFrames& vertexFrames = surface->Geometry.Vertices;
   context.Checkpoint(0.5);
 
   if (const std::string problem = ProblemOfPlaneVectors(chosen.Array, mesh.VertexPositions()); !problem.empty())
@@ -248,8 +249,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   std::set<vtkIdType> left;
   if (chosen.OnPoints())
   {
-    const TangentFrames vertexFrames = VertexFrames(mesh, context);
-    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, vertexFrames, surface, left, context);
+    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, *surface, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
@@ -258,9 +258,9 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   }
   else
   {
-    const CellsOnFaces cells(surface, frames, context);
+    const CellsOnFaces cells(*surface, context);
     first = ReadTuples([&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(),
-      [&](int face) { return surface.CellOf(face); }, left, context);
+      [&](int face) { return surface->Relation.CellOf(face); }, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, frames, first);
@@ -281,32 +281,33 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);
   const bool isAtPoints = IsFieldAtPoints(input, chosen) && N == numberByName;
-  return { input, std::move(surface), std::move(frames), std::move(field), diagonal, isAtPoints };
+  return { input, std::move(surface), std::move(field), diagonal, isAtPoints };
 }
 
 FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const ExecutionContext& context)
 {
-  const FramedMesh framed(given.Surface.Mesh, context);
   vtkDataArray* const array = given.Data->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
   CheckTuples(array, given.Data, vtkDataObject::POINT);
   std::set<vtkIdType> left; // those of the cells were counted
-  return { VertexConnection(framed, context), ReadVertices(array, framed.Vertices, given.Surface, left, context) };
+  return { VertexConnection(given.Surface->Geometry, context), ReadVertices(array, *given.Surface, left, context) };
 }
 
 Points ReferenceVectors(
-  const ChosenArray& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
+  const ChosenArray& choice, vtkDataSet* surface, const PreparedDataSet& on, const Vector3& otherwise)
 {
-  Points references(mesh.Mesh.NumberOfFaces(), 3);
+  const TriangleMesh& mesh = on.Geometry.Mesh;
+  Points references(mesh.NumberOfFaces(), 3);
   if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
   {
     Vector3 vector;
-    for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {
       references.row(face).setZero();
       for (int corner = 0; corner < (chosen.OnPoints() ? 3 : 1); ++corner)
       {
         chosen.Array->GetTuple(
-          chosen.OnPoints() ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner)) : mesh.CellOf(face), vector.data());
+          chosen.OnPoints() ? on.Relation.PointOf(mesh.FaceCorners()(face, corner)) : on.Relation.CellOf(face),
+          vector.data());
         references.row(face) += vector.transpose();
       }
     }
@@ -315,11 +316,11 @@ Points ReferenceVectors(
   {
     references.rowwise() = UnitAxis(otherwise, ", or choose Reference Vectors").transpose();
   }
-  for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     if (!references.row(face).allFinite())
     {
-      throw InvalidInput("the reference vector of cell " + std::to_string(mesh.CellOf(face)) +
+      throw InvalidInput("the reference vector of cell " + std::to_string(on.Relation.CellOf(face)) +
         " is not finite; repair it, or choose other vectors or Axis");
     }
   }

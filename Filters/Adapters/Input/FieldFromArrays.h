@@ -4,10 +4,9 @@
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
-#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 #include "Drawing/DirectionsOnFaces.h"
-#include "Mesh/TangentFrames.h"
 #include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"
 
@@ -28,8 +27,7 @@ namespace dmg
 struct SurfaceWithField
 {
   vtkSmartPointer<vtkDataSet> Data; ///< that the surface comes from
-  SurfaceMesh Surface;
-  TangentFrames Faces;
+  std::shared_ptr<const PreparedDataSet> Surface;
   DirectionsOnFaces Field;
   double Diagonal; ///< of the box around the triangles
   bool IsAtPoints; ///< whether it shows a power field at points
@@ -62,7 +60,7 @@ FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const Execution
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
 /// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(
-  const ChosenArray& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
+  const ChosenArray& choice, vtkDataSet* surface, const PreparedDataSet& on, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.

@@ -152,7 +152,8 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
 
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  const SurfaceMesh& surface = given.Surface;
+  const SurfaceRelation& relation = given.Surface->Relation;
+  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
   const bool areOnFaces = given.IsAtPoints;
   std::vector<std::pair<vtkIdType, int>> singular;
   double sum = 0.0;
@@ -161,7 +162,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
     sum += topology.Indices[element];
     if (topology.Indices[element] != 0.0)
     {
-      singular.emplace_back(areOnFaces ? surface.CellOf(element) : surface.PointOf(element), element);
+      singular.emplace_back(areOnFaces ? relation.CellOf(element) : relation.PointOf(element), element);
     }
   }
   std::sort(singular.begin(), singular.end());
@@ -177,7 +178,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
   for (const auto& [id, element] : singular)
   {
     cells->InsertNextCell({ static_cast<vtkIdType>(positions.size()) });
-    positions.push_back(areOnFaces ? CentreOf(surface.Mesh, element) : surface.Mesh.Position(element));
+    positions.push_back(areOnFaces ? CentreOf(mesh, element) : mesh.Position(element));
     indices.push_back(topology.Indices[element]);
     ids.push_back(id);
   }
@@ -189,7 +190,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
   ofPoints->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices.data(), size));
   ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
   ofPoints->AddArray(NewArray<vtkIdTypeArray>(areOnFaces ? "CellId" : "PointId", 1, ids.data(), size));
-  const int euler = surface.Mesh.EulerCharacteristic();
+  const int euler = mesh.EulerCharacteristic();
   AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
   AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
 }
@@ -245,8 +246,7 @@ namespace
 /// vertex lies on the left of the line.
 void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  const SurfaceMesh& surface = given.Surface;
-  const TriangleMesh& mesh = surface.Mesh;
+  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
   std::vector<Vector3> positions;
   std::map<int, vtkIdType> centres; // of faces, in the output
   const auto centreOf = [&](int face)
@@ -291,7 +291,8 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
     CutsBetweenVertices(given, topology, output);
     return;
   }
-  const SurfaceMesh& surface = given.Surface;
+  const SurfaceRelation& relation = given.Surface->Relation;
+  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
   const int N = given.Field.N();
   struct Cut
   {
@@ -304,18 +305,18 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   for (std::size_t i = 0; i < topology.Cuts.size(); ++i)
   {
     const int edge = topology.Cuts[i];
-    const int h = surface.Mesh.HalfedgeOf(edge);
-    const int tail = surface.Mesh.Tail(h);
-    const int head = surface.Mesh.Head(h);
-    const bool isAlong = surface.PointOf(tail) < surface.PointOf(head);
+    const int h = mesh.HalfedgeOf(edge);
+    const int tail = mesh.Tail(h);
+    const int head = mesh.Head(h);
+    const bool isAlong = relation.PointOf(tail) < relation.PointOf(head);
     cuts.push_back({ isAlong ? tail : head, isAlong ? head : tail, isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
       (isAlong ? 1.0 : -1.0) * topology.Rotation[edge], edge });
   }
   std::sort(cuts.begin(), cuts.end(),
-    [&surface](const Cut& a, const Cut& b)
+    [&relation](const Cut& a, const Cut& b)
     {
-      const auto ends = [&surface](const Cut& cut) {
-        return std::array{ surface.PointOf(cut.From), surface.PointOf(cut.To), cut.From, cut.To };
+      const auto ends = [&relation](const Cut& cut) {
+        return std::array{ relation.PointOf(cut.From), relation.PointOf(cut.To), cut.From, cut.To };
       };
       return ends(a) < ends(b);
     });
@@ -333,7 +334,7 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
       const auto [found, isNew] = numbers.emplace(vertex, positions.size());
       if (isNew)
       {
-        positions.push_back(surface.Mesh.Position(vertex));
+        positions.push_back(mesh.Position(vertex));
       }
       ends[at++] = found->second;
     }
@@ -361,7 +362,7 @@ void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology&
     ids.push_back(ids.front());
     for (const int vertex : loop.Vertices)
     {
-      positions.push_back(given.Surface.Mesh.Position(vertex));
+      positions.push_back(given.Surface->Geometry.Mesh.Position(vertex));
     }
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     indices.push_back(loop.Index);

@@ -224,23 +224,19 @@ std::vector<std::string> NamesOfFlowArrays()
 void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
   const SolverOptions& options, bool isGlobe, const ExecutionContext& context)
 {
-  const std::string digest = ContentDigest(input, preparation);
-  if (this->Digest != digest)
+  auto prepared = PrepareDataSet(input, preparation, context);
+  if (this->Prepared != prepared)
   {
-    SurfaceMesh surface = MeshFromDataSet(input, preparation, context);
-    auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
-    auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
+    const FramedMesh& on = prepared->Geometry;
+    auto corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
     this->Forget();
-    this->Geometry = std::move(on);
+    this->Prepared = std::move(prepared);
     this->CornersOfFaces = std::move(corners);
-    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
-    this->PreparationOfSurface = surface.Report;
-    this->Digest = digest;
   }
   if (!this->Decomposition || !(this->Options == options) || this->IsGlobe != isGlobe)
   {
     this->Forget();
-    this->Decomposition.emplace(*this->Geometry, boundary, options, isGlobe);
+    this->Decomposition.emplace(this->Prepared->Geometry, boundary, options, isGlobe);
     this->Options = options;
     this->IsGlobe = isGlobe;
   }
@@ -269,7 +265,7 @@ HodgeDecomposition::StageCounts FlowSurface::Counts() const
 std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
   vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context)
 {
-  const FramedMesh& on = *this->Geometry;
+  const FramedMesh& on = this->Prepared->Geometry;
   const StoppingCriteria stop{ 1e-11, 200 };
   const DecomposedFlow parts =
     this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
@@ -296,7 +292,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
     arrays.AddFunction(Vorticity, Vector<double>(derivatives.Vorticity.cwiseProduct(sides.OfVertices)), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
-  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);
+  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
   AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)

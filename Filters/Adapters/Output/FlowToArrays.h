@@ -2,7 +2,7 @@
 #define dmgFlowToArrays_h
 
 #include "Adapters/Input/FlowFromArrays.h"
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 #include "Flows/HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -45,8 +45,8 @@ public:
     const SolverOptions& options, bool isGlobe, const ExecutionContext& context);
 
   /// The things that were done to the surface.
-  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
-  FramedSurface Surface() const { return { *this->Geometry, this->Relation }; }
+  const PreparationReport& Preparation() const { return this->Prepared->Report; }
+  FramedSurface Surface() const { return this->Prepared->Surface(); }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
   /// \param streamlines an empty output; becomes the contours of the stream function.
@@ -61,14 +61,11 @@ private:
   /// Takes the decomposition away.
   void Forget();
 
-  std::string Digest;
   SolverOptions Options;
   bool IsGlobe = false;
-  SurfaceRelation Relation;
-  PreparationReport PreparationOfSurface;
-  std::unique_ptr<FramedMesh> Geometry;
+  std::shared_ptr<const PreparedDataSet> Prepared;
   Unfilled<Corner> CornersOfFaces;
-  std::optional<HodgeDecomposition> Decomposition; ///< it refers to Geometry
+  std::optional<HodgeDecomposition> Decomposition; ///< it refers to the surface
   HodgeDecomposition::StageCounts FormerCounts;    ///< of those before it
 };
 

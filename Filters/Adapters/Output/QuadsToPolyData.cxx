@@ -73,13 +73,13 @@ void InterpolatePoints(const QuadMesh& quads, const CrossesOfSurface& surface, v
     Vector3 normal = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const int corner = surface.Geometry->Mesh.Tail(3 * place.Face + k);
-      corners->SetId(k, surface.Relation.PointOf(corner));
-      normal += place.Weights[k] * surface.Geometry->Vertices.Normal(corner);
+      const int corner = surface.Surface->Geometry.Mesh.Tail(3 * place.Face + k);
+      corners->SetId(k, surface.Surface->Relation.PointOf(corner));
+      normal += place.Weights[k] * surface.Surface->Geometry.Vertices.Normal(corner);
     }
     to->InterpolatePoint(from, vertex, corners, place.Weights.data());
-    normals->SetTuple(
-      vertex, (normal.norm() > 0.0 ? normal.normalized() : surface.Geometry->Faces.Normal(place.Face)).eval().data());
+    normals->SetTuple(vertex,
+      (normal.norm() > 0.0 ? normal.normalized() : surface.Surface->Geometry.Faces.Normal(place.Face)).eval().data());
   }
   to->SetNormals(normals);
 }
@@ -129,7 +129,7 @@ void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtk
   {
     const auto& corners = quads.Quads[quad];
     cells->InsertNextCell({ corners[0], corners[1], corners[2], corners[3] });
-    ofCells->CopyData(input->GetCellData(), surface.Relation.CellOf(quads.Faces[quad]), quad);
+    ofCells->CopyData(input->GetCellData(), surface.Surface->Relation.CellOf(quads.Faces[quad]), quad);
     jacobians->SetValue(quad, quads.ScaledJacobians[quad]);
   }
   output->SetPoints(points);
@@ -142,7 +142,7 @@ void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtk
 
 void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDataSet* input, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = surface.Geometry->Mesh;
+  const TriangleMesh& mesh = surface.Surface->Geometry.Mesh;
   std::map<std::tuple<int, FixedPoint, FixedPoint>, vtkIdType> numbers; // of corners with the same coordinates
   std::vector<int> halfedges;                                           // one for each of these
   vtkNew<vtkCellArray> cells;
@@ -164,7 +164,7 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
       corners[k] = number->second;
     }
     cells->InsertNextCell({ corners[0], corners[1], corners[2] });
-    ofCells->CopyData(input->GetCellData(), surface.Relation.CellOf(face), face);
+    ofCells->CopyData(input->GetCellData(), surface.Surface->Relation.CellOf(face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto points = NewPoints(size);
@@ -176,7 +176,7 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
   {
     const int h = halfedges[point];
     points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    ofPoints->CopyData(input->GetPointData(), surface.Relation.PointOf(mesh.Tail(h)), point);
+    ofPoints->CopyData(input->GetPointData(), surface.Surface->Relation.PointOf(mesh.Tail(h)), point);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));

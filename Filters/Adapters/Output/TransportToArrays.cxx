@@ -34,22 +34,16 @@ void RemoveTransportArrays(vtkDataSet* surface)
 void TransportSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation,
   const TransportOptions& options, const ExecutionContext& context)
 {
-  const std::string digest = ContentDigest(input, preparation);
-  if (this->Digest != digest)
+  auto prepared = PrepareDataSet(input, preparation, context);
+  if (this->Prepared != prepared)
   {
-    SurfaceMesh surface = MeshFromDataSet(input, preparation, context);
-    auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
     this->Forget();
-    this->Digest.clear(); // until all is there
-    this->Geometry = std::move(on);
-    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
-    this->PreparationOfSurface = surface.Report;
-    this->Digest = digest;
+    this->Prepared = std::move(prepared);
   }
   if (!this->Transport || this->Options.TimeStep != options.TimeStep)
   {
     this->Forget();
-    this->Transport.emplace(*this->Geometry, options, context);
+    this->Transport.emplace(this->Prepared->Geometry, options, context);
     this->Options = options;
   }
 }
@@ -84,11 +78,11 @@ PlacedDirection TransportSurface::Place(const Vector3& place, const Vector3& dir
   }
   constexpr double SmallestTangentialPart = 1e-6;
   PlacedDirection placed{ 0, direction, true };
-  (this->Geometry->Mesh.VertexPositions().rowwise() - place.transpose())
+  (this->Prepared->Geometry.Mesh.VertexPositions().rowwise() - place.transpose())
     .rowwise()
     .stableNorm()
     .minCoeff(&placed.Vertex);
-  const TangentFrames& frames = this->Geometry->Vertices;
+  const TangentFrames& frames = this->Prepared->Geometry.Vertices;
   if (std::abs(frames.ToComplex(placed.Vertex, direction)) <= SmallestTangentialPart * length)
   {
     placed.Direction = length * frames.X.row(placed.Vertex).transpose();
@@ -100,12 +94,12 @@ PlacedDirection TransportSurface::Place(const Vector3& place, const Vector3& dir
 std::vector<std::string> TransportSurface::AddVectors(
   const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context)
 {
-  const FramedMesh& on = *this->Geometry;
-  CheckSizes(sources, this->Relation.Names());
+  const FramedMesh& on = this->Prepared->Geometry;
+  CheckSizes(sources, this->Prepared->Relation.Names());
   const TransportedField field = this->Transport->Carry(sources, context);
-  ArraysOfCells(on.Mesh, this->Relation, input, output->GetCellData(), context)
+  ArraysOfCells(on.Mesh, this->Prepared->Relation, input, output->GetCellData(), context)
     .AddVectors(TransportedVectors, on.Faces, field.OnFaces);
-  ArraysOfPoints(this->Relation, input, output->GetPointData(), context)
+  ArraysOfPoints(this->Prepared->Relation, input, output->GetPointData(), context)
     .AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
   output->GetPointData()->SetActiveVectors(TransportedVectors);
   return field.Warnings;
@@ -114,11 +108,11 @@ std::vector<std::string> TransportSurface::AddVectors(
 std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, double textureSize, vtkDataSet* input,
   vtkDataSet* output, const ExecutionContext& context)
 {
-  const FramedMesh& on = *this->Geometry;
+  const FramedMesh& on = this->Prepared->Geometry;
   const dmg::LogarithmicMap map =
     this->Transport->Map(from.Vertex, on.Vertices.ToComplex(from.Vertex, from.Direction), context);
   const ArraysOfPoints arrays(
-    this->Relation, input, output->GetPointData(), context, std::numeric_limits<double>::quiet_NaN());
+    this->Prepared->Relation, input, output->GetPointData(), context, std::numeric_limits<double>::quiet_NaN());
   const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
   const double size =
     textureSize > 0.0 ? textureSize : 2.0 * map.Distances.array().isNaN().select(0.0, map.Distances).maxCoeff();
@@ -136,7 +130,7 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
   const auto point = NewArray(MapPoint, 1, 1);
-  point->SetValue(0, static_cast<double>(this->Relation.PointOf(from.Vertex)));
+  point->SetValue(0, static_cast<double>(this->Prepared->Relation.PointOf(from.Vertex)));
   output->GetFieldData()->AddArray(point);
   AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
   return map.Warnings;

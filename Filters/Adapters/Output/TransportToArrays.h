@@ -1,7 +1,7 @@
 #ifndef dmgTransportToArrays_h
 #define dmgTransportToArrays_h
 
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 #include "Constraints/Constraints.h"
 #include "Geodesics/ParallelTransport.h"
 #include "Support/ExecutionContext.h"
@@ -35,8 +35,8 @@ public:
   void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const TransportOptions& options,
     const ExecutionContext& context);
 
-  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
-  FramedSurface Surface() const { return { *this->Geometry, this->Relation }; }
+  const PreparationReport& Preparation() const { return this->Prepared->Report; }
+  FramedSurface Surface() const { return this->Prepared->Surface(); }
 
   /// A direction at the vertex that is nearest to a place; the first of several.
   /// \throw InvalidInput the place is not finite; the direction is zero or not finite.
@@ -63,12 +63,9 @@ private:
   /// Takes the factors away.
   void Forget();
 
-  std::string Digest;
   TransportOptions Options;
-  SurfaceRelation Relation;
-  PreparationReport PreparationOfSurface;
-  std::unique_ptr<FramedMesh> Geometry;
-  std::optional<ParallelTransport> Transport; ///< it refers to Geometry
+  std::shared_ptr<const PreparedDataSet> Prepared;
+  std::optional<ParallelTransport> Transport; ///< it refers to the surface
   ParallelTransport::StageCounts OfFormer;    ///< of those before it
 };
 

@@ -25,20 +25,16 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
   }
   // Operators that are stored number the elements as the input does.
   const Numbering order = stored ? Numbering::AsGiven : Numbering::Spatial;
-  if (!this->SolverOfMesh || this->Digest != digest || this->Order != order)
+  const Stopwatch watch;
+  auto prepared = PrepareDataSet(input, digest, { order, preparation.JoinPoints, preparation.Strict }, context);
+  if (this->Prepared != prepared)
   {
-    const Stopwatch watch;
-    SurfaceMesh surface = MeshFromDataSet(input, { order, preparation.JoinPoints, preparation.Strict }, context);
-    auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
+    auto solver = std::make_unique<FieldSolver>(std::shared_ptr<const FramedMesh>(prepared, &prepared->Geometry));
     this->FormerCounts = this->Counts();
-    this->Digest.clear(); // until all that follows is made
     this->OperatorsByOrigin.clear();
     this->OperatorsSeconds = 0.0;
     this->SolverOfMesh = std::move(solver);
-    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
-    this->PreparationOfSurface = surface.Report;
-    this->Digest = digest;
-    this->Order = order;
+    this->Prepared = std::move(prepared);
     this->SurfaceSeconds = watch.Seconds();
   }
   this->SolverOfMesh->SetOperators(stored ? this->Operators(input, *stored) : nullptr);

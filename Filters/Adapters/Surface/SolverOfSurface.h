@@ -2,6 +2,7 @@
 #define dmgSolverOfSurface_h
 
 #include "Adapters/Surface/OperatorsToFieldData.h"
+#include "Adapters/Surface/PreparedDataSet.h"
 #include "Adapters/Surface/SolverOfDataSet.h"
 #include "FieldSolver.h"
 #include "Support/ExecutionContext.h"
@@ -30,8 +31,8 @@ public:
 
   FieldSolver& Solver() { return *this->SolverOfMesh; }
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
-  FramedSurface Surface() const override { return { this->SolverOfMesh->Surface(), this->Relation }; }
-  const PreparationReport& Preparation() const override { return this->PreparationOfSurface; }
+  FramedSurface Surface() const override { return this->Prepared->Surface(); }
+  const PreparationReport& Preparation() const override { return this->Prepared->Report; }
   double SetupSeconds(const Field& field) const override;
 
   /// Over all surfaces.
@@ -40,10 +41,7 @@ public:
 private:
   std::shared_ptr<const ProlongationOperators> Operators(vtkDataSet* input, const OperatorsOrigin& origin);
 
-  std::string Digest;
-  Numbering Order = Numbering::Spatial;
-  SurfaceRelation Relation;
-  PreparationReport PreparationOfSurface;
+  std::shared_ptr<const PreparedDataSet> Prepared; ///< of the solver
   std::unique_ptr<FieldSolver> SolverOfMesh;
   /// All operators of this surface that were read, by their origin.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> OperatorsByOrigin;
