@@ -1,0 +1,85 @@
+#include "vtkFieldWriter.h"
+
+#include "Adapters/Output/FieldFiles.h"
+#include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Support/Errors.h"
+
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtksys/FStream.hxx"
+#include "vtksys/SystemTools.hxx"
+
+vtkStandardNewMacro(vtkFieldWriter);
+
+namespace
+{
+
+int FormatOf(const std::string& fileName)
+{
+  const std::string extension = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
+  for (const auto& [name, format] : { std::pair(".rosy", vtkFieldWriter::Rosy),
+         std::pair(".rawfield", vtkFieldWriter::RawField), std::pair(".sharp", vtkFieldWriter::Sharp) })
+  {
+    if (extension == name)
+    {
+      return format;
+    }
+  }
+  throw dmg::InvalidInput(
+    "no format has the extension of '" + fileName + "'; give the file the extension .rosy, .rawfield or .sharp");
+}
+
+void WriteText(const std::string& fileName, const std::string& text)
+{
+  vtksys::ofstream file(fileName.c_str(), std::ios::out | std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+  {
+    throw dmg::InvalidInput(
+      "the file '" + fileName + "' cannot be written; choose a folder where you may, with room left");
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldWriter::FillInputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldWriter::WriteData()
+{
+  try
+  {
+    dmg::CheckRanges(
+      { { "Format", this->Format, ByExtension, Sharp }, { "Feature Angle", this->FeatureAngle, 0, 180 } });
+    auto* const surface = vtkDataSet::SafeDownCast(this->GetInput());
+    const int format = this->Format == ByExtension ? FormatOf(this->FileName) : this->Format;
+    WriteText(this->FileName,
+      format == Rosy         ? dmg::RosyFileOf(surface)
+        : format == RawField ? dmg::RawFieldFileOf(surface)
+                             : dmg::SharpFileOf(surface, this->FeatureAngle));
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< dmg::InPanelWords(error.what()));
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const char* const formats[] = { "ByExtension", "Rosy", "RawField", "Sharp" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Format: " << dmg::NameOf(formats, this->Format) << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+}
