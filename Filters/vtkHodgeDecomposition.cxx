@@ -46,7 +46,7 @@ vtkHodgeDecomposition::vtkHodgeDecomposition()
   : Internals(new vtkInternals)
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
 }
@@ -100,7 +100,7 @@ int vtkHodgeDecomposition::RequestData(
       { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
       { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
       { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
-      { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
+      { "Reference Boundary", this->ReferenceBoundary, 0 }, { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
     dmg::SolverOptions options;
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
@@ -127,13 +127,14 @@ int vtkHodgeDecomposition::RequestData(
                                       : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },
                                           input, surface.Surface(), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
-      this->LengthScale, this->NumberOfContours, this->Lift };
+      this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift };
     dmg::WarnOfPreparation(this, surface.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
     vtkPolyData* const streamlines = vtkPolyData::GetData(outputVector, 1);
+    vtkPolyData* const boundaries = vtkPolyData::GetData(outputVector, 2);
     std::vector<std::string> warnings =
-      surface.Decompose(flow, wanted, withFlow, output, streamlines, dmg::PartOfContext(context, 0.1, 1.0));
+      surface.Decompose(flow, wanted, withFlow, output, streamlines, boundaries, dmg::PartOfContext(context, 0.1, 1.0));
     const dmg::TriangleMesh& mesh = surface.Surface().Geometry.Mesh;
     warnings.push_back(dmg::WarningOfFoldedBox(mesh));
     if (isGlobe)
@@ -144,6 +145,7 @@ int vtkHodgeDecomposition::RequestData(
     {
       dmg::TurnToMap(input, output, dmg::NamesOfParts());
       dmg::TakeLinesToMap(input, streamlines);
+      dmg::TakeLinesToMap(input, boundaries);
     }
     if (chosen)
     {
@@ -175,6 +177,7 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HarmonicPart: " << this->HarmonicPart << "\n";
   os << indent << "Derivatives: " << this->Derivatives << "\n";
   os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
+  os << indent << "ReferenceBoundary: " << this->ReferenceBoundary << "\n";
   os << indent << "Lift: " << this->Lift << "\n";
   os << indent << "LengthScale: " << this->LengthScale << "\n";
   os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";

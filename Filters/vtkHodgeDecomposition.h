@@ -67,6 +67,11 @@
  * streamlines of the rotational part, in its direction, each pair with the same transport between them. They have StreamFunction at
  * their points.
  *
+ * Port 2: vtkPolyData, a closed line for each boundary, in the order of field data, with the cell arrays Boundary (its number),
+ * BoundaryLength, BoundaryCirculation, BoundaryFlux, BoundaryStreamFunction, and BoundaryTransport: the stream function less that of
+ * ReferenceBoundary, which is the transport through a section from there to this boundary. Other components than that of ReferenceBoundary
+ * have it against their own longest boundary.
+ *
  * Parts that are switched off have no arrays, and are in the residual.
  *
  * @section vtkHodgeDecomposition-Execution Execution
@@ -199,7 +204,16 @@ public:
 
   ///@{
   /**
-   * The distance of these lines from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
+   * The boundary against which BoundaryTransport of port 2 is measured, by its number there. Default 0: the longest of the first
+   * component. A number that no boundary has is an error.
+   */
+  vtkSetMacro(ReferenceBoundary, int);
+  vtkGetMacro(ReferenceBoundary, int);
+  ///@}
+
+  ///@{
+  /**
+   * The distance of the lines of port 1 from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
    * lie in the surface, and show from both sides where a mapper draws them nearer to the viewer, as ParaView does in the
    * representation Ink (vtkMapper::SetResolveCoincidentTopologyToPolygonOffset). Elsewhere a thousandth shows them from one side.
    */
@@ -283,6 +297,7 @@ private:
   bool HarmonicPart = true;
   bool Derivatives = true;
   int NumberOfContours = 20;
+  int ReferenceBoundary = 0;
   double Lift = 0.0;
   double LengthScale = 1.0;
   double Axis[3] = { 0.0, 0.0, 1.0 };

@@ -258,6 +258,36 @@ TEST(HodgeDecomposition, BoundariesHaveCirculationFluxAndTransport)
   }
 }
 
+// The second output has a line and these numbers for each.
+TEST(HodgeDecomposition, TransportsAreMeasuredAgainstAnyBoundary)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(Annulus(96, 24), VortexAndSource));
+  filter->Update();
+  vtkPolyData* const boundaries = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(2));
+  ASSERT_EQ(boundaries->GetNumberOfCells(), 2);
+  vtkFieldData* const data = filter->GetOutput()->GetFieldData();
+  for (const char* const name : { "BoundaryLength", "BoundaryCirculation", "BoundaryFlux", "BoundaryStreamFunction" })
+  {
+    EXPECT_EQ(Values(boundaries->GetCellData(), name), Values(data, name)) << name;
+  }
+  for (vtkIdType line = 0; line < 2; ++line)
+  {
+    vtkCell* const loop = boundaries->GetCell(line);
+    EXPECT_EQ(loop->GetPointId(0), loop->GetPointId(loop->GetNumberOfPoints() - 1)) << "is closed";
+    EXPECT_NEAR(PointOf(boundaries, loop->GetPointId(5)).norm(), line == 0 ? 2.0 : 1.0, 1e-12);
+  }
+  EXPECT_NEAR(Values(boundaries->GetCellData(), "BoundaryTransport")[1], -std::log(2.0), 0.001);
+  filter->SetReferenceBoundary(1);
+  filter->Update();
+  EXPECT_NEAR(Values(boundaries->GetCellData(), "BoundaryTransport")[0], std::log(2.0), 0.001);
+  EXPECT_EQ(Values(boundaries->GetCellData(), "BoundaryTransport")[1], 0.0);
+  filter->SetReferenceBoundary(2);
+  const Messages messages(filter);
+  filter->Update();
+  EXPECT_NE(messages.Error().find("Reference Boundary is 2, and the surface has 2 boundaries"), std::string::npos);
+}
+
 TEST(HodgeDecomposition, OpenBoundariesLeaveTheSourceFlowToTheHarmonicPart)
 {
   vtkNew<vtkHodgeDecomposition> filter;

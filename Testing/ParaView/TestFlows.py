@@ -71,6 +71,15 @@ def main():
     data = simple.servermanager.Fetch(parts)
     rim = np.abs(vtk_to_numpy(data.GetPoints().GetData())[:, 2] - 0.013) < 1e-5
     assert rim.sum() >= 60 and np.abs(point_array(data, "Potential")[rim]).max() == 0
+
+    # The colours of a stream function have zero in their middle, also where its values do not.
+    simple.UpdatePipeline(proxy=parts)
+    colours = simple.GetColorTransferFunction("StreamFunction").RGBPoints
+    assert abs(colours[0] + colours[-4]) < 1e-12 * colours[-4], colours
+    parts.Boundary = "Closed"
+    boundaries = simple.servermanager.Fetch(parts, idx=2)
+    assert boundaries.GetNumberOfCells() == 1 and boundaries.GetCellData().HasArray("BoundaryTransport")
+    parts.ReferenceBoundary = 0
     print("parts of a flow are found")
 
 

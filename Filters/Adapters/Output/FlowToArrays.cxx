@@ -4,6 +4,7 @@
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Drawing/ContourLines.h"
 #include "Operators/PowerFieldDirections.h"
+#include "Support/Errors.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -16,6 +17,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace dmg
@@ -146,6 +148,61 @@ void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const
   output->GetPointData()->AddArray(ofPoints); // not active: in its colours no line would show on the surface
 }
 
+/// \throw InvalidInput there is none of this number.
+void CheckIsBoundary(int number, std::size_t boundaries)
+{
+  if (number > 0 && static_cast<std::size_t>(number) >= boundaries)
+  {
+    throw InvalidInput("Reference Boundary is " + std::to_string(number) + ", and the surface has " +
+      std::to_string(boundaries) + (boundaries == 1 ? " boundary" : " boundaries") + "; choose a number from 0 to " +
+      std::to_string(std::max<std::size_t>(boundaries, 1) - 1));
+  }
+}
+
+/// Makes \p output a closed line for each boundary, with the numbers of the flow.
+void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, const DecomposedFlow& parts,
+  const FlowOptions& options, vtkPolyData* output)
+{
+  CheckIsBoundary(options.ReferenceBoundary, loops.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const BoundaryLoop& loop : loops)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    lines->InsertNextCell(static_cast<int>(loop.Vertices.size()) + 1);
+    for (const int vertex : loop.Vertices)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(Vector3(mesh.Position(vertex)).data()));
+    }
+    lines->InsertCellPoint(first);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  const auto add = [&](const char* name, double scale, const auto& number)
+  {
+    const auto array = NewArray(name, 1, static_cast<vtkIdType>(loops.size()));
+    for (std::size_t k = 0; k < loops.size(); ++k)
+    {
+      array->SetValue(static_cast<vtkIdType>(k), scale * number(static_cast<Eigen::Index>(k)));
+    }
+    output->GetCellData()->AddArray(array);
+  };
+  const double scale = options.LengthScale;
+  const Vector<double>& values = parts.StreamValues;
+  add(Boundary, 1.0, [](Eigen::Index k) { return static_cast<double>(k); });
+  add(BoundaryLength, scale, [&](Eigen::Index k) { return loops[k].Length; });
+  add(BoundaryCirculation, scale, [&](Eigen::Index k) { return parts.Circulation[k]; });
+  add(BoundaryFlux, scale, [&](Eigen::Index k) { return parts.Flux[k]; });
+  if (values.size() > 0 && !loops.empty())
+  {
+    const int reference = std::max(options.ReferenceBoundary, 0);
+    const auto isBeside = [&](Eigen::Index k) { return loops[k].Component == loops[reference].Component; };
+    add(BoundaryStreamFunction, scale, [&](Eigen::Index k) { return values[k]; });
+    add(BoundaryTransport, scale, [&](Eigen::Index k) { return values[k] - (isBeside(k) ? values[reference] : 0.0); });
+  }
+}
+
 /// Takes away what a former decomposition has left, and this one may not make.
 void RemoveFlowArrays(vtkDataSet* surface)
 {
@@ -263,7 +320,7 @@ HodgeDecomposition::StageCounts FlowSurface::Counts() const
 }
 
 std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
-  vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context)
+  vtkDataSet* output, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context)
 {
   const FramedMesh& on = this->Prepared->Geometry;
   const StoppingCriteria stop{ 1e-11, 200 };
@@ -293,6 +350,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
+  MakeBoundaries(on.Mesh, this->Decomposition->Boundaries(), parts, options, boundaries);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
   AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)

@@ -23,9 +23,10 @@ struct FlowOptions
 {
   FlowParts Parts;
   bool Derivatives = true;
-  double LengthScale = 1.0; ///< the length of the unit of the points
-  int NumberOfContours = 0; ///< of the stream function
-  double Lift = 0.0;        ///< of these lines off the surface, relative to the diagonal of its bounding box
+  double LengthScale = 1.0;  ///< the length of the unit of the points
+  int NumberOfContours = 0;  ///< of the stream function
+  int ReferenceBoundary = 0; ///< against which transports of boundaries are measured
+  double Lift = 0.0;         ///< of these lines off the surface, relative to the diagonal of its bounding box
 };
 
 /// The arrays of vectors among those that FlowSurface adds.
@@ -49,10 +50,11 @@ public:
   FramedSurface Surface() const { return this->Prepared->Surface(); }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
-  /// \param streamlines an empty output; becomes the contours of the stream function.
+  /// \param streamlines, boundaries empty outputs; become the contours of the stream function, and the boundaries of the surface.
   /// \return warnings for the user.
+  /// \throw InvalidInput as HodgeDecomposition; there is no boundary of the number ReferenceBoundary.
   std::vector<std::string> Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
-    vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context);
+    vtkDataSet* output, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context);
 
   /// Over all surfaces.
   HodgeDecomposition::StageCounts Counts() const;

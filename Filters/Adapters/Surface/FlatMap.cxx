@@ -164,6 +164,11 @@ void TakeLinesToMap(vtkDataSet* map, vtkPolyData* lines)
     points->SetPoint(point, middle + std::remainder(longitude - middle, 360.0), latitude, bounds[4]);
   }
   vtkNew<vtkCellArray> cut;
+  vtkNew<vtkCellData> ofCut;
+  ofCut->CopyAllOn();
+  ofCut->CopyAllocate(lines->GetCellData());
+  const auto add = [&](vtkIdList* part, vtkIdType cell)
+  { ofCut->CopyData(lines->GetCellData(), cell, cut->InsertNextCell(part)); };
   vtkNew<vtkIdList> line;
   for (vtkIdType cell = 0; cell < lines->GetLines()->GetNumberOfCells(); ++cell)
   {
@@ -177,14 +182,15 @@ void TakeLinesToMap(vtkDataSet* map, vtkPolyData* lines)
       points->GetPoint(isFirst ? line->GetId(k) : line->GetId(k - 1), last);
       if (std::abs(here[0] - last[0]) > 180.0)
       {
-        cut->InsertNextCell(part);
+        add(part, cell);
         part->Reset();
       }
       part->InsertNextId(line->GetId(k));
     }
-    cut->InsertNextCell(part);
+    add(part, cell);
   }
   lines->SetLines(cut);
+  lines->GetCellData()->ShallowCopy(ofCut);
 }
 
 }
