@@ -42,8 +42,8 @@ def check_command(line, binary):
                             ("configurePresets", re.findall(r"cmake --preset (\S+)", line))):
             assert set(names) <= presets(kind), f"{line}: no such preset"
     elif words[0].startswith("PV_PLUGIN_PATH="):
-        assert line.endswith(") paraview demo.vtp"), line
-        assert "demo.vtp" in (ROOT / "Testing/Examples/demo.py").read_text(), "the demo writes another file"
+        assert line.endswith(") paraview --state=demo.pvsm"), line
+        assert "demo.pvsm" in (ROOT / "Testing/Examples/demo.py").read_text(), "the demo writes another file"
     elif words[0] == "cpack" or line in PACKAGES:
         pass
     else:

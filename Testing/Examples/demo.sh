@@ -4,7 +4,7 @@
 #   Testing/Examples/demo.sh [SURFACE]
 #
 # Installs the packages it needs (Debian 12 or later; as root or with sudo), builds the filters below build,
-# and leaves demo.vtp and demo.png in the current folder. SURFACE is a PLY, OBJ, STL, OFF, VTK or VTP
+# and leaves demo.vtp, demo.pvsm and demo.png in the current folder. SURFACE is a PLY, OBJ, STL, OFF, VTK or VTP
 # file; without it, the Stanford bunny from Debian's package libcgal-demo.
 set -euo pipefail
 
@@ -46,7 +46,7 @@ cd "$here"
 XDG_RUNTIME_DIR=$runtime PV_PLUGIN_PATH=$plugins PYTHONDONTWRITEBYTECODE=1 \
   xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   pvbatch "$demo" "$surface"
-ls -l "$here/demo.vtp" "$here/demo.png"
+ls -l "$here/demo.vtp" "$here/demo.pvsm" "$here/demo.png"
 
 step "To open the result in ParaView's window"
-printf 'PV_PLUGIN_PATH=%q paraview %q\n' "$plugins" "$here/demo.vtp"
+printf 'PV_PLUGIN_PATH=%q paraview --state=%q\n' "$plugins" "$here/demo.pvsm"
