@@ -115,11 +115,40 @@ bool HandsSurfaceOn(vtkAlgorithm* algorithm)
   return type == "vtkDataSet";
 }
 
-/// \param message empty where it is reported already, or by another rank.
-int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
+/// Whether a filter has failed in the same way since it or its inputs have changed. The pipeline asks again for each output and each
+/// consumer where the outputs are images, since empty ones have no extent.
+bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, const std::string& message)
+{
+  static vtkInformationStringKey* const lastFailure =
+    vtkInformationStringKey::MakeKey("LAST_FAILURE", "DirectionalMultigrid");
+  std::string failure = message + " " + std::to_string(algorithm->GetMTime());
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkDataObject* const data = vtkDataObject::GetData(inputs[port], k);
+      failure += " " + std::to_string(data ? data->GetMTime() : 0);
+    }
+  }
+  const char* const before = algorithm->GetInformation()->Get(lastFailure);
+  if (before && failure == before)
+  {
+    return true;
+  }
+  algorithm->GetInformation()->Set(lastFailure, failure.c_str());
+  return false;
+}
+
+/// \param isTold whether this rank reports the message; it is empty where it is reported already.
+int Failed(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
+  const std::string& message, bool isTold)
 {
   Empty(outputs);
-  if (!message.empty())
+  if (!message.empty() && HasFailedBefore(algorithm, inputs, message))
+  {
+    return 1; // as the pipeline adds an error of its own for each failure
+  }
+  if (isTold && !message.empty())
   {
     vtkErrorWithObjectMacro(algorithm, << message);
   }
@@ -384,7 +413,7 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
   const RanksOfPipeline ranks;
   const bool areInPieces = AreInPieces(ranks, request, inputs, outputs);
   const auto failed = [&](const std::string& message) // of all ranks, where these work together
-  { return Failed(algorithm, outputs, areInPieces && ranks.Rank() > 0 ? "" : InPanelWords(message)); };
+  { return Failed(algorithm, inputs, outputs, InPanelWords(message), !areInPieces || ranks.Rank() == 0); };
   try
   {
     Empty(outputs);
