@@ -29,13 +29,14 @@ namespace
 constexpr double PartOfSolver = 0.7;
 constexpr double Drawn = 0.95;
 
-/// Outputs of a solver for the pieces that are asked for, of which the surface is that of this filter.
+/// Outputs of a solver for the pieces that are asked for, of which the surface and the paths of guides are those of this filter.
 void MakeSolverOutputs(vtkInformationVector* asked, vtkInformationVector* outputs)
 {
   vtkNew<vtkPolyData> edges;
   vtkNew<vtkTable> convergence;
-  vtkDataObject* const data[] = { vtkDataObject::GetData(asked, 0), edges, convergence };
-  for (int port = 0; port < 3; ++port)
+  vtkDataObject* const data[] = { vtkDataObject::GetData(asked, 0), edges, convergence,
+    vtkDataObject::GetData(asked, 3) };
+  for (int port = 0; port < 4; ++port)
   {
     vtkNew<vtkInformation> information;
     information->Copy(asked->GetInformationObject(port));

@@ -18,6 +18,8 @@
  *
  * Port 2, the singularities: vtkPolyData, the spheres of vtkFieldSingularities with SphereRadius.
  *
+ * Port 3, the paths of guides: vtkPolyData, output 3 of vtkHarmonicFieldSolver.
+ *
  * Nothing is drawn where the field is zero everywhere, with a warning.
  *
  * @section vtkDirectionalField-Execution Execution

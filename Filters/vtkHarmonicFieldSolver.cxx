@@ -116,7 +116,7 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   this->Combing = problem.Combing;
   this->HarmonicBasis = problem.HarmonicBasis;
   this->SetNumberOfInputPorts(6);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
   this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
@@ -254,7 +254,7 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* information)
 {
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : port == 1 ? "vtkPolyData" : "vtkDataSet");
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : port == 0 ? "vtkDataSet" : "vtkPolyData");
   return 1;
 }
 
@@ -298,6 +298,10 @@ int vtkHarmonicFieldSolver::RequestData(
     if (!unusable.AreNone())
     {
       vtkWarningMacro(<< dmg::TextOf(unusable));
+    }
+    for (const std::string& text : dmg::WarningsOf(inputs.Guides))
+    {
+      vtkWarningMacro(<< text);
     }
     problem.Guides.MayMiss = this->Internals->IsInLeaf();
     const dmg::Field& field =

@@ -11,8 +11,8 @@
  * X_b = Y_b exactly instead. A component of the surface where nothing is prescribed gets the smoothest field of mean square
  * magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is zero there.
  *
- * Filters/HarmonicFieldSolver.md has the details, and the pages in Filters/Core/Discretisations have the formulas. The
- * method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
+ * Filters/HarmonicFieldSolver.md has details, the pages in Filters/Core/Discretisations formulas. The method is that of Tom Broeders,
+ * "Simplification Directional Fields", sections 6.1 to 6.3.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
@@ -20,7 +20,7 @@
  * use the operators that vtkDirectionalProlongation has stored with it. Those of other points and triangles are an error.
  *
  * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite
- * datasets of these. Each guide goes to the nearest place of the surface. Chosen vectors of points and cells prescribe the
+ * datasets of these. Each goes to the nearest place of the surface. Chosen vectors prescribe the
  * nearest face. Without a choice, lines prescribe their tangents on all faces that they pass; without lines, the active
  * vectors count. A guide with neither is an error. A warning counts what is left out: what lies farther than MaximumDistance, on
  * the far side of a thin wall, or within 5 degrees of the normal.
@@ -42,7 +42,7 @@
  * | 5, 6  | 1          | eastward, northward component around Axis, instead of 1; not of guides |
  * | 7     | 1          | source f of functions: -Laplace u = f                          |
  *
- * All are optional, and stand on points or on cells. Without a mask, a direction is prescribed wherever its vector is not zero. Its
+ * All are optional, on points or cells. Without a mask, a direction is prescribed wherever its vector is not zero. Its
  * tangential part counts, and its length is the magnitude. Nothing is followed that was not chosen. "Active Vectors" are those
  * of the points, else of the cells, but for Direction0.
  *
@@ -69,15 +69,17 @@
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
  * the rotation of the field from the face on the left to the face on the right, in radians; for PointPowerField, that along the edge.
- * 1-forms add the cell arrays OneForm, the integrals along the edges, and HarmonicBasis 1, 2, ... k.
+ * 1-forms add the cell arrays OneForm, integrals along edges, and HarmonicBasis 1, 2, ... k.
  *
  * Port 2, the convergence: vtkTable, a row per iteration, the first for the start. The page has its columns, and the report that
  * ports 0 and 2 carry as field data, hidden from menus of arrays.
  *
+ * Port 3, the paths of guides: vtkPolyData, lines on the surface where guides were taken.
+ *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
  * Set-up (surface, levels, Discretisation, N), system (which elements are prescribed, weights, options) and solve (values, Tolerance)
- * are stages, which keep their results until their own causes change, for each leaf of a composite dataset. A solve starts from the
+ * are stages, which keep their results until their causes change, for each leaf of a composite dataset. A solve starts from the
  * solution before. One that misses Tolerance gives its best field, Converged = 0 and a warning. Harmonic parts of face fields and
  * 1-forms that the constraints do not determine are left out, with a warning. An error or an aborted run keeps complete stages.
  * Filters/Core/Pieces/Pieces.md says which surfaces in pieces are solved in pieces. OPENBLAS_NUM_THREADS fixes the bits of BLAS.
@@ -370,7 +372,8 @@ public:
 
   ///@{
   /**
-   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) add one, too.
+   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) add one, too. An output that is
+   * connected twice, also to ports 3, 4 or 5, is followed once, with a warning.
    */
   void AddGuidesConnection(vtkAlgorithmOutput* output);
   void RemoveAllGuides();
@@ -402,7 +405,8 @@ public:
   /**
    * Chooses arrays of the guides by name alone: directions at points, else on cells; weights at points, else on cells, else in field
    * data. Weights may be numbers, too: one for all guides, as in "5", or one for each in the order of ports and connections, as
-   * in "1 0.5". The number 0 leaves a guide out, and guides without a number have 1. Default empty.
+   * in "1 0.5". A port without a connection has a number, too, so that guides after it keep theirs. The number 0 leaves a guide out,
+   * and guides without a number have 1. More numbers are a warning. Default empty.
    */
   void SetGuideDirections(const char* name);
   const char* GetGuideDirections() const;

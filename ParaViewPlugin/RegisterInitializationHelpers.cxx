@@ -2,8 +2,10 @@
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
+#include "vtkSMCenteredColorsInitializationHelper.h"
 #include "vtkSMConvergenceChartInitializationHelper.h"
 #include "vtkSMCyclicColorsInitializationHelper.h"
+#include "vtkSMDeletedInputsInitializationHelper.h"
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
 #include "vtkSMFollowedInitializationHelper.h"
@@ -23,8 +25,10 @@ void RegisterInitializationHelpers()
   vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(
     [](vtkClientServerInterpreter* interpreter)
     {
+      Register<vtkSMCenteredColorsInitializationHelper>(interpreter, "vtkSMCenteredColorsInitializationHelper");
       Register<vtkSMConvergenceChartInitializationHelper>(interpreter, "vtkSMConvergenceChartInitializationHelper");
       Register<vtkSMCyclicColorsInitializationHelper>(interpreter, "vtkSMCyclicColorsInitializationHelper");
+      Register<vtkSMDeletedInputsInitializationHelper>(interpreter, "vtkSMDeletedInputsInitializationHelper");
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
       Register<vtkSMFollowedInitializationHelper>(interpreter, "vtkSMFollowedInitializationHelper");

@@ -371,13 +371,11 @@ TEST_F(GuideLines, TakeTypedNumbersAsWeights)
   this->ExpectNear(this->Prescribed(), expected(1.0, 1.0));
   this->Solver->SetGuideWeights("5");
   this->ExpectNear(this->Prescribed(), expected(5.0, 5.0));
-  this->Solver->SetGuideWeights(" 2, 0.5");
+  this->Solver->SetGuideWeights(" 2, 7; 0.5"); // the second one is that of the empty port
   this->ExpectNear(this->Prescribed(), expected(2.0, 0.5));
-  this->Solver->SetGuideWeights("0 1");
+  this->Solver->SetGuideWeights("0 1 1");
   this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
-  this->Solver->SetGuideWeights("1 2 3");
-  EXPECT_NE(this->Error().find("3 numbers for 2 guides"), std::string::npos);
-  this->Solver->SetGuideWeights("1 -2");
+  this->Solver->SetGuideWeights("1 1 -2");
   EXPECT_NE(this->Error().find("weight of guide 1, typed in Guide Weights, is -2"), std::string::npos);
   this->Solver->SetGuideWeights("1 apple");
   EXPECT_NE(this->Error().find("'1 apple', chosen for the weights"), std::string::npos);
@@ -386,6 +384,40 @@ TEST_F(GuideLines, TakeTypedNumbersAsWeights)
   const auto zeros = Zeros("7", 1, 1);
   first->GetFieldData()->AddArray(zeros);
   this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
+}
+
+// As where a person clears the first of ParaView's lists.
+TEST_F(GuideLines, KeepTheirWeightsWhereOneBeforeThemIsTakenAway)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  this->Solver->AddInputDataObject(1, Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
+  this->Solver->SetInputDataObject(3, Polyline({ { 0.1, 5.3, 0.0 }, { 7.9, 5.3, 0.0 } }));
+  this->Solver->SetGuideWeights("1 10");
+  this->Prescribed();
+  this->Solver->RemoveAllGuides();
+  this->ExpectNear(this->Prescribed(), this->CellsInRow(5, 10.0));
+}
+
+TEST_F(GuideLines, TakeNoMoreWeightsThanThereAreOfThem)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  this->Solver->AddInputDataObject(1, Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
+  this->Solver->SetGuideWeights("4 10 7");
+  this->ExpectNear(this->Prescribed("3 numbers"), this->CellsInRow(3, 4.0));
+  // Without a guide they are nobody's.
+  this->Solver->RemoveAllGuides();
+  this->Prescribed();
+}
+
+TEST_F(GuideLines, AreFollowedOnceWhereTheyAreChosenTwice)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
+  this->Solver->AddInputConnection(1, source->GetOutputPort());
+  this->Solver->SetInputConnection(3, source->GetOutputPort());
+  this->Solver->SetGuideWeights("2 5");
+  this->ExpectNear(this->Prescribed("chosen more than once"), this->CellsInRow(3, 2.0));
 }
 
 // The search structure of a surface is kept for another dataset with the same content.

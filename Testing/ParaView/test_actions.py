@@ -17,7 +17,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from test_window import focus, is_5_11, read, toolbar, write, write_sphere, xdotool
+from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -75,6 +75,11 @@ class Window:
         xdotool("mousemove", *place)
         xdotool("key", key)
 
+    def picture(self, name):
+        """The colours of the screen, a row each."""
+        take_picture(self.folder / f"{self.name}-{name}.png")
+        return pixels(self.folder / f"{self.name}-{name}.png")
+
     # How they are played -------------------------------------------------------------------------
 
     def event(self, widget, command, arguments=""):
@@ -89,9 +94,7 @@ class Window:
         """Plays events, after which the selected output is saved; returns it. The last event comes after that where it makes a
         source or a filter, which has no data yet."""
         path = self.folder / f"{self.name}-{what}.vtk"
-        saved = (self.opened(f"{MAIN}/menubar/menu_File/actionFileSaveData", "")
-                 + self.opened(f"{MAIN}/FileSaveDialog", path, "filesSelected")
-                 + self.opened(f"{MAIN}/WriterSettingsDialog/widget/OKButton", ""))
+        saved = self.saved_as(path)
         makes_one = "menuSources" in events[-1] or "menuFilters" in events[-1]
         ordered = [*events[:-1], saved, events[-1]] if makes_one else [*events, saved]
         script = path.with_suffix(".xml")
@@ -102,6 +105,12 @@ class Window:
             time.sleep(3)
             focus("ParaView")
         return read(path)
+
+    def saved_as(self, path):
+        """The menu choice File, Save Data..., with what stands in its dialogs."""
+        return (self.opened(f"{MAIN}/menubar/menu_File/actionFileSaveData", "")
+                + self.opened(f"{MAIN}/FileSaveDialog", path, "filesSelected")
+                + self.opened(f"{MAIN}/WriterSettingsDialog/widget/OKButton", ""))
 
     def start(self, script):
         command = [self.paraview, "--disable-registry", f"--data={self.data}", f"--test-directory={self.folder}",
@@ -134,6 +143,10 @@ def prescribed(field):
     return vtk_to_numpy(field.GetPointData().GetArray("Prescribed"))
 
 
+def number_of_golden(image):
+    return ((image[:, 0] > 180) & (image[:, 1] > 0.5 * image[:, 0]) & (image[:, 2] < 0.4 * image[:, 0])).sum()
+
+
 def taken(field):
     return field.GetFieldData().GetArray("GuidesTaken").GetValue(0)
 
@@ -162,6 +175,54 @@ def draw_strokes(window):
     assert window.actions - before == 2
     ratios = prescribed(third)[prescribed(second) > 0] / prescribed(second)[prescribed(second) > 0]
     assert set(np.round(ratios[(ratios < 0.26) | (ratios > 0.99)], 6)) == {0.25, 1}, ratios
+    path = window.play("path", window.look_at("/0/2/3"))
+    radii = np.linalg.norm(vtk_to_numpy(path.GetPoints().GetData()), axis=1)
+    assert path.GetNumberOfLines() == 2 and (radii > 0.99).all() and (radii < 1.001).all(), radii
+    assert number_of_golden(window.picture("golden")) > 100
+
+    # Without the first one, the second one keeps its weight, in a list that still shows.
+    alone = window.play("alone", window.select("/0/2"), window.set("Guides/1QComboBox0", "(none)"), window.apply())
+    assert taken(alone) == 1
+    of_second = prescribed(second) > 1.001 * prescribed(first)
+    assert np.allclose(prescribed(alone)[of_second & (prescribed(first) == 0)],
+                       0.25 * prescribed(second)[of_second & (prescribed(first) == 0)])
+    # Moved to the first list by hand, and deleted, it is followed no more.
+    window.play("moved", window.set("Guides/1QComboBox0", "PolyLineSource2"), window.set("SecondGuide/1QComboBox0", "(none)"),
+                window.apply())
+    bare = window.play("bare", window.look_at("/0/2"), window.opened(f"{MAIN}/menubar/menu_Edit/actionDelete", ""),
+                       window.look_at("/0/0/0"), window.apply())
+    assert not bare.GetFieldData().HasArray("GuidesTaken")
+
+
+def export_field(window):
+    """A field as files for remeshers, by their extensions alone."""
+    files = {suffix: window.folder / f"{window.name}-field.{suffix}" for suffix in ("rosy", "rawfield", "sharp")}
+    field = window.play("field", window.apply(), window.choose_filter("DirectionalField"), window.apply(),
+                        *map(window.saved_as, files.values()))
+    triangles = field.GetNumberOfPolys()
+    first = vtk_to_numpy(field.GetCellData().GetArray("Direction0"))
+    rosy = files["rosy"].read_text().split()
+    assert [int(word) for word in rosy[:2]] == [triangles, 4]
+    assert np.abs(np.array(rosy[2:], float).reshape(-1, 3) - first).max() < 1e-6
+    raw = files["rawfield"].read_text().split()
+    assert [int(word) for word in raw[:2]] == [4, triangles]
+    assert np.abs(np.array(raw[2:], float).reshape(-1, 4, 3).sum(axis=1)).max() < 1e-6  # those of a cross cancel
+    assert files["sharp"].read_text() == "0\n"  # of a sphere
+
+
+def place_third_point(window):
+    """A stroke of three points on the surface: both ends by keys, one inserted on the line by Ctrl and a click, and placed by P."""
+    window.play("surface", window.apply(), window.choose_source("PolyLineSource"))
+    window.press(1, (640, 420))
+    window.press(2, (820, 480))
+    xdotool("mousemove", 730, 450)
+    xdotool("keydown", "ctrl")
+    xdotool("click", 1)
+    xdotool("keyup", "ctrl")
+    window.press("p", (700, 560))
+    stroke = window.play("stroke", window.apply())
+    points = vtk_to_numpy(stroke.GetPoints().GetData())
+    assert len(points) == 3 and np.abs(np.linalg.norm(points, axis=1) - 1).max() < 0.01, points
 
 
 def draw_flow(window):
@@ -226,7 +287,7 @@ def draw_eigenvectors(window):
     assert window.log.read_text().count("no sign") == 1
 
 
-TESTS = {"Eigenvectors": (write_eigenvectors, draw_eigenvectors),
+TESTS = {"Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors), "ThirdPoint": (write_sphere, place_third_point),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "FilterFirst": (write_sphere, draw_after_the_filter)}
 

@@ -81,6 +81,10 @@ FieldOfPieces SolveInPieces(vtkAlgorithm* filter, const FieldProperties& propert
   {
     Warn(filter, ranks, TextOf(unusable));
   }
+  for (const std::string& text : WarningsOf(result.Inputs.Guides))
+  {
+    Warn(filter, ranks, text);
+  }
   result.Solution = &kept.Solver().Solve(problem, PartOfContext(context, 0.3, 1.0));
   for (const std::string& text : result.Solution->Warnings)
   {

@@ -149,29 +149,23 @@ double WholeWeight(const ChosenArray& choice, const GuideDataSet& dataset)
   return weight;
 }
 
-std::vector<double> TypedWeights(
-  const ChosenArray& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides)
+std::vector<double> TypedNumbers(const ChosenArray& choice, const std::vector<GuideDataSet>& datasets)
 {
   const auto has = [&choice](const GuideDataSet& dataset)
   { return HasArray(choice, dataset.Data) || FieldArray(choice, dataset.Data); };
-  const std::vector<double> numbers = NumbersIn(choice.Name);
-  if (numbers.empty() || std::any_of(datasets.begin(), datasets.end(), has))
+  return std::any_of(datasets.begin(), datasets.end(), has) ? std::vector<double>() : NumbersIn(choice.Name);
+}
+
+std::vector<double> TypedWeights(const std::vector<double>& numbers, const std::vector<int>& slots)
+{
+  std::vector<double> weights;
+  for (std::size_t guide = 0; !numbers.empty() && guide < slots.size(); ++guide)
   {
-    return {};
-  }
-  if (numbers.size() > std::max<std::size_t>(guides, 1))
-  {
-    throw InvalidInput("Guide Weights has " + std::to_string(numbers.size()) + " numbers for " +
-      std::to_string(guides) + (guides == 1 ? " guide" : " guides") +
-      "; give it one for each guide, or one for all of them");
-  }
-  std::vector<double> weights(guides, numbers.size() == 1 ? numbers[0] : 1.0);
-  std::copy(numbers.begin(), numbers.begin() + std::min(numbers.size(), guides), weights.begin());
-  for (std::size_t guide = 0; guide < guides; ++guide)
-  {
+    const std::size_t slot = numbers.size() == 1 ? 0 : static_cast<std::size_t>(slots[guide]);
+    weights.push_back(slot < numbers.size() ? numbers[slot] : 1.0);
     if (!(weights[guide] >= 0.0) || !std::isfinite(weights[guide]))
     {
-      throw InvalidInput("the weight of " + NameOfGuide(guide, guides) + ", typed in Guide Weights, is " +
+      throw InvalidInput("the weight of " + NameOfGuide(guide, slots.size()) + ", typed in Guide Weights, is " +
         ShortText(weights[guide]) + "; make it a positive number, or 0 where the guide is not to be followed");
     }
   }

@@ -43,13 +43,15 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
 /// \throw InvalidInput something is chosen that no dataset has.
 void CheckChoices(const ConstraintArrays& choices, const std::vector<GuideDataSet>& datasets);
 
-/// Numbers that are typed in place of the name of an array of weights, as in "5" or "1 0.5", unless a dataset has an array of
-/// that name.
-/// \return a weight for each guide: one number is that of all guides, several are those of the first ones, and the others
-/// have 1; empty where it is a name.
-/// \throw InvalidInput there are more numbers than guides, or one is negative or not finite.
-std::vector<double> TypedWeights(
-  const ChosenArray& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides);
+/// The numbers that are typed in place of the name of an array of weights, as in "5" or "1 0.5". Empty where it is a name, or a
+/// dataset has an array of that name.
+std::vector<double> TypedNumbers(const ChosenArray& choice, const std::vector<GuideDataSet>& datasets);
+
+/// \param numbers TypedNumbers.
+/// \param slots the place of each guide's number.
+/// \return a weight for each guide: one number is that of all guides, and guides without a number have 1. Empty without numbers.
+/// \throw InvalidInput a weight is negative or not finite.
+std::vector<double> TypedWeights(const std::vector<double>& numbers, const std::vector<int>& slots);
 
 /// The choices, as far as a dataset has their arrays.
 ConstraintArrays ChoicesFor(const ConstraintArrays& choices, vtkDataSet* dataset);

@@ -5,18 +5,26 @@
 #include "Adapters/Surface/ElementArrays.h"
 #include "Support/Errors.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace dmg
@@ -139,6 +147,15 @@ void Reader::AddLines(const GuideDataSet& dataset, const ConstraintArrays& choic
   }
 }
 
+/// The output that data come from, also where they are copied on their way.
+using Source = std::pair<const void*, int>;
+
+Source SourceOf(vtkInformation* connection, vtkDataObject* data)
+{
+  vtkExecutive* const executive = vtkExecutive::PRODUCER()->GetExecutive(connection);
+  return executive ? Source(executive, vtkExecutive::PRODUCER()->GetPort(connection)) : Source(data, 0);
+}
+
 /// An array of a guide that holds three numbers for each point or cell, neither normals nor colours; empty where there is none.
 std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t guide)
 {
@@ -163,27 +180,66 @@ std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t
 
 }
 
-std::vector<vtkDataObject*> DataOf(vtkInformationVector** inputs, const std::vector<int>& ports)
+std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
 {
   std::vector<vtkDataObject*> all;
-  for (const int port : ports)
+  for (int i = 0; i < port->GetNumberOfInformationObjects(); ++i)
   {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    if (vtkDataObject* const data = vtkDataObject::GetData(port, i))
     {
-      if (vtkDataObject* const data = vtkDataObject::GetData(inputs[port], i))
-      {
-        all.push_back(data);
-      }
+      all.push_back(data);
     }
   }
   return all;
+}
+
+GuideInput GuidesOf(
+  vtkInformationVector** inputs, const std::vector<int>& ports, const ConstraintArrays& choices, double maximumDistance)
+{
+  GuideInput guides{ {}, {}, 0, 0, choices, maximumDistance };
+  std::set<Source> sources;
+  int slot = 0;
+  for (const int port : ports)
+  {
+    const int connections = inputs[port]->GetNumberOfInformationObjects();
+    for (int i = 0; i < connections; ++i)
+    {
+      vtkDataObject* const data = vtkDataObject::GetData(inputs[port], i);
+      const bool isNew = data && sources.insert(SourceOf(inputs[port]->GetInformationObject(i), data)).second;
+      guides.Repeated += data && !isNew;
+      guides.UsedSlots = data ? slot + i + 1 : guides.UsedSlots;
+      if (isNew)
+      {
+        guides.Data.push_back(data);
+        guides.Slots.push_back(slot + i);
+      }
+    }
+    slot += std::max(connections, 1);
+  }
+  return guides;
+}
+
+std::vector<std::string> WarningsOf(const GuideInput& input)
+{
+  std::vector<std::string> warnings;
+  if (input.Repeated > 0)
+  {
+    warnings.emplace_back("the same guide is chosen more than once; it is followed once, with its first weight");
+  }
+  const std::size_t numbers = TypedNumbers(input.Choices.Weights, DataSetsOf(input.Data)).size();
+  if (input.UsedSlots > 0 && numbers > input.UsedSlots)
+  {
+    warnings.push_back("Guide Weights has " + std::to_string(numbers) + " numbers, and the last guide takes number " +
+      std::to_string(input.UsedSlots) + "; those after it are not used");
+  }
+  return warnings;
 }
 
 Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(input.Data);
   ConstraintArrays choices = input.Choices;
-  const std::vector<double> typed = TypedWeights(choices.Weights, datasets, input.Data.size());
+  const std::vector<double> typed = TypedWeights(TypedNumbers(choices.Weights, datasets), input.Slots);
   if (!typed.empty())
   {
     choices.Weights = {};
@@ -211,6 +267,29 @@ Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
   unusable.Zero += reader.Unusable.Zero;
   reader.Result.MaximumDistance = input.MaximumDistance;
   return std::move(reader.Result);
+}
+
+void PathsToPolyData(const GuidePaths& paths, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(paths.Positions.size()));
+  for (std::size_t i = 0; i < paths.Positions.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), paths.Positions[i].data());
+  }
+  vtkNew<vtkCellArray> lines;
+  vtkIdType next = 0;
+  for (const int end : paths.Ends)
+  {
+    lines->InsertNextCell(static_cast<int>(end - next));
+    for (; next < end; ++next)
+    {
+      lines->InsertCellPoint(next);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
 }
 
 void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData)

@@ -57,8 +57,8 @@ FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtk
 {
   const double maximumDistance = properties.Problem.Guides.MaximumDistance;
   return { surface, ChoicesOnSurface(properties, surface),
-    { DataOf(inputs, { 1, 3, 4, 5 }), properties.GuideChoices, maximumDistance },
-    { DataOf(inputs, { 2 }), properties.SingularityIndexArray, maximumDistance } };
+    GuidesOf(inputs, { 1, 3, 4, 5 }, properties.GuideChoices, maximumDistance),
+    { DataOf(inputs[2]), properties.SingularityIndexArray, maximumDistance } };
 }
 
 UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem)

@@ -28,6 +28,7 @@ void WriteField(const SolverOfDataSet& surface, const Field& field, const FieldI
   AddPrescribed(on.Relation, field.Solution->Constraints, field.Solution->Discretisation->Elements(), output, edges);
   AddBasis(on, field, output, edges, PartOfContext(context, most, 1.0));
   AddPreparation(surface.Preparation(), properties.Preparation, output->GetFieldData());
+  PathsToPolyData(field.Guides.Paths, vtkPolyData::GetData(outputs, 3));
   MakeConvergenceTable(field.Report, convergence);
   for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
   {

@@ -126,6 +126,8 @@ public:
 private:
   void AddVector(const Element& element);
   void AddSegment(const Element& element);
+  bool AddPart(const SegmentPart& part, const Element& element);
+  void AddToPath(const SegmentPart& part, const SegmentPart* before);
 
   const NearestPlaces& Nearest;
   const WeightsOfFaces& Weights;
@@ -153,36 +155,81 @@ void Projection::AddVector(const Element& element)
 
 void Projection::AddSegment(const Element& element)
 {
-  const TangentFrames& frames = this->Nearest.Surface.Faces;
   GuidesReport& report = this->Result.Report;
   bool isTaken = false, isTooFar = false, isOnFarSide = false, isPerpendicular = false;
-  const Vector3 given =
-    element.Direction ? *element.Direction : Vector3((element.End - element.Start).stableNormalized());
-  for (const SegmentPart& part : this->Segments.PartsOf(element.Start, element.End))
+  const SegmentPart* before = nullptr; // where the path goes on from it
+  const std::vector<SegmentPart> parts = this->Segments.PartsOf(element.Start, element.End);
+  for (const SegmentPart& part : parts)
   {
     isTooFar |= part.Kind == SegmentPart::TooFar;
     isOnFarSide |= part.Kind == SegmentPart::OnFarSide;
-    if (part.Kind != SegmentPart::OnSurface)
+    const bool isHere = part.Kind == SegmentPart::OnSurface && this->AddPart(part, element);
+    isPerpendicular |= part.Kind == SegmentPart::OnSurface && !isHere;
+    isTaken |= isHere;
+    if (isHere)
     {
-      continue;
+      report.Farthest = std::max(report.Farthest, part.Distance);
+      this->AddToPath(part, before);
     }
-    const Complex tangential = frames.ToComplex(part.Face, given);
-    if (IsPerpendicular(tangential, given))
-    {
-      isPerpendicular = true;
-      continue;
-    }
-    // A chord leans into the surface; that says nothing about how strong the field shall be.
-    const double length = element.Direction ? 1.0 : std::abs(tangential);
-    this->Result.Directions.push_back({ part.Face, frames.ToVector(part.Face, tangential / length),
-      element.Weight * this->Weights.OfLine(part.Face, part.Length) });
-    isTaken = true;
-    report.Farthest = std::max(report.Farthest, part.Distance);
+    before = isHere ? &part : nullptr;
   }
   report.Taken += isTaken;
   report.TooFar += isTooFar;
   report.OnFarSide += isOnFarSide;
   report.Perpendicular += isPerpendicular;
+}
+
+/// \return whether it prescribes something: the direction is not perpendicular to the face.
+bool Projection::AddPart(const SegmentPart& part, const Element& element)
+{
+  const TangentFrames& frames = this->Nearest.Surface.Faces;
+  const Vector3 given =
+    element.Direction ? *element.Direction : Vector3((element.End - element.Start).stableNormalized());
+  const Complex tangential = frames.ToComplex(part.Face, given);
+  if (IsPerpendicular(tangential, given))
+  {
+    return false;
+  }
+  // A chord leans into the surface; that says nothing about how strong the field shall be.
+  const double length = element.Direction ? 1.0 : std::abs(tangential);
+  this->Result.Directions.push_back({ part.Face, frames.ToVector(part.Face, tangential / length),
+    element.Weight * this->Weights.OfLine(part.Face, part.Length) });
+  return true;
+}
+
+/// Goes on with the last path, or begins one. \param before the part that it goes on from, or null.
+void Projection::AddToPath(const SegmentPart& part, const SegmentPart* before)
+{
+  GuidePaths& paths = this->Result.Report.Paths;
+  if (before && before->Start == part.Start)
+  {
+    return; // along an edge, whose other face has it
+  }
+  const auto add = [&](const Vector3& position)
+  {
+    const Vector3 place = ClosestOnFace(this->Nearest.Surface.Mesh, part.Face, position).Position;
+    if (!before || place != paths.Positions.back())
+    {
+      paths.Positions.push_back(place);
+    }
+  };
+  add(part.Start);
+  add(part.End);
+  if (before)
+  {
+    paths.Ends.pop_back();
+  }
+  paths.Ends.push_back(static_cast<int>(paths.Positions.size()));
+}
+
+void Append(const GuidePaths& part, GuidePaths& all)
+{
+  const int first = static_cast<int>(all.Positions.size());
+  all.Positions.insert(all.Positions.end(), part.Positions.begin(), part.Positions.end());
+  for (const int end : part.Ends)
+  {
+    all.Ends.push_back(first + end);
+  }
 }
 
 void Add(const GuidesReport& part, GuidesReport& all)
@@ -192,6 +239,7 @@ void Add(const GuidesReport& part, GuidesReport& all)
   all.OnFarSide += part.OnFarSide;
   all.Perpendicular += part.Perpendicular;
   all.Farthest = std::max(all.Farthest, part.Farthest);
+  Append(part.Paths, all.Paths);
 }
 
 /// The directions and the report of a run of elements.

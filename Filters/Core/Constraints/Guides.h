@@ -41,6 +41,13 @@ struct Guides
   bool AreEmpty() const { return this->Lines.empty() && this->Vectors.empty(); }
 };
 
+/// Polylines on a surface.
+struct GuidePaths
+{
+  std::vector<Vector3> Positions;
+  std::vector<int> Ends; ///< of each polyline: the number of positions up to its last one
+};
+
 /// The numbers of guides that were taken, and of those that were not. Vectors and segments of lines count; a segment counts in each
 /// category that one of its parts falls into.
 struct GuidesReport
@@ -51,6 +58,7 @@ struct GuidesReport
   long long Perpendicular = 0;  ///< within 5 degrees of the normal of the surface
   double Farthest = 0.0;        ///< largest distance of what is taken, in the unit of the points
   double MaximumDistance = 0.0; ///< in the unit of the points
+  GuidePaths Paths;             ///< where lines were taken, on this rank: one or more for each segment
 
   bool IsAllTaken() const { return this->TooFar == 0 && this->OnFarSide == 0 && this->Perpendicular == 0; }
   /// One sentence: what was left out, why, and what helps; empty where all was taken.

@@ -281,7 +281,9 @@ std::vector<SegmentPart> SegmentOnSurface::OnSides(
   for (SegmentPart part : parts)
   {
     const double middle = (before + 0.5 * part.Length) / segment.Length;
+    part.Start = segment.Start + before / segment.Length * segment.Direction;
     before += part.Length;
+    part.End = segment.Start + before / segment.Length * segment.Direction;
     if (part.Length <= 2.0 * segment.Smallest)
     {
       continue;

@@ -23,6 +23,8 @@ struct SegmentPart
   int Face;
   double Length;
   double Distance; ///< from the surface, the largest of its samples; infinite where nobody has looked
+  /// Ends of the part in space. Of parts that are TooFar they are not told.
+  Vector3 Start = Vector3::Zero(), End = Vector3::Zero();
 };
 
 /// The parts of a straight segment, from its start to its end.

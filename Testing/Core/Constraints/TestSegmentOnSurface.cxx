@@ -474,6 +474,8 @@ TEST(Guides, AreTheSameForAnyNumberOfThreads)
     ASSERT_EQ(many.Directions.size(), one.Directions.size());
     EXPECT_EQ(many.Report.Taken, one.Report.Taken);
     EXPECT_EQ(many.Report.Farthest, one.Report.Farthest);
+    EXPECT_EQ(many.Report.Paths.Positions, one.Report.Paths.Positions);
+    EXPECT_EQ(many.Report.Paths.Ends, one.Report.Paths.Ends);
     for (std::size_t i = 0; i < one.Directions.size(); ++i)
     {
       EXPECT_EQ(many.Directions[i].Element, one.Directions[i].Element);
@@ -505,4 +507,38 @@ TEST(Guides, GiveDirectionsInTheirOrder)
     EXPECT_EQ(followed.Directions[i].Weight, i + 1.0);
     EXPECT_EQ(followed.Directions[i].Element, nearest(guides.Vectors[i].Position).Face);
   }
+}
+
+// One path for each segment, from below its start to below its end, without gaps.
+TEST(Guides, HavePathsOnTheSurfaceBelowTheirLines)
+{
+  const FramedMesh plane(PlaneGrid(8, 8).Mesh());
+  const NearestPlaces nearest(plane);
+  Guides guides;
+  guides.MaximumDistance = 1.0;
+  guides.Lines.push_back({ { { 0.1, 3.3, 0.5 }, { 7.9, 3.3, 0.5 }, { 7.9, 6.2, 0.5 } } });
+  GuidePaths paths = FollowGuides(guides, nearest).Report.Paths;
+  ASSERT_EQ(paths.Ends.size(), 2u);
+  EXPECT_EQ(paths.Ends.back(), static_cast<int>(paths.Positions.size()));
+  double length = 0.0;
+  int first = 0;
+  for (const int end : paths.Ends)
+  {
+    for (int i = first + 1; i < end; ++i)
+    {
+      length += (paths.Positions[i] - paths.Positions[i - 1]).norm();
+      EXPECT_EQ(paths.Positions[i].z(), 0.0);
+    }
+    first = end;
+  }
+  EXPECT_NEAR(length, 7.8 + 2.9, 1e-9);
+  // Where a line is too far, there is none.
+  guides.MaximumDistance = 0.01;
+  guides.Lines[0].Points = { { 0.1, 3.3, 0.0 }, { 2.0, 3.3, 0.0 }, { 6.0, 3.3, 4.0 } };
+  paths = FollowGuides(guides, nearest).Report.Paths;
+  for (const Vector3& position : paths.Positions)
+  {
+    EXPECT_LT(position.x(), 2.2);
+  }
+  EXPECT_GE(paths.Ends.size(), 1u);
 }
