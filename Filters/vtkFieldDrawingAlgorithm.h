@@ -1,6 +1,6 @@
 /**
  * @class   vtkFieldDrawingAlgorithm
- * @brief   base class of filters that draw a field of N directions on a surface
+ * @brief   base class of filters that read a field of N directions on a surface
  *
  * @section vtkFieldDrawingAlgorithm-Inputs Inputs
  *
@@ -22,7 +22,7 @@
  *
  * Threads, errors, aborts and pieces are those of vtkOrientedSurfaceAlgorithm.
  *
- * @sa vtkFieldLines vtkFieldGlyphs vtkFieldSingularities
+ * @sa vtkFieldLines vtkFieldGlyphs vtkFieldSingularities vtkFieldQuads
  */
 
 #ifndef vtkFieldDrawingAlgorithm_h

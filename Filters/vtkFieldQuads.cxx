@@ -67,19 +67,6 @@ vtkFieldQuads::vtkFieldQuads()
 }
 
 //------------------------------------------------------------------------------
-int vtkFieldQuads::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkFieldQuads::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkFieldQuads::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -129,7 +116,6 @@ void vtkFieldQuads::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfQuads: " << this->NumberOfQuads << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
-  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "AlignBoundary: " << (this->AlignBoundary ? "On" : "Off") << "\n";
   os << indent << "AlignSharpEdges: " << (this->AlignSharpEdges ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";

@@ -11,14 +11,9 @@
  *
  * @section vtkFieldQuads-Inputs Inputs
  *
- * Port 0: a surface as described in vtkDirectionalProlongation. A field on it is vectors on cells or points, of which the tangential part
- * counts, chosen by
- *
- *   SetInputArrayToProcess(0, 0, 0, association, name).
- *
- * The default is Direction0, as vtkHarmonicFieldSolver leaves it; without that, the smoothest cross field is found. A field of 4
- * directions is a cross field. Of a field of 1 or 2, as vectors or principal directions, edges run along the lines and across. Others
- * are refused.
+ * Port 0: a surface with a field as vtkFieldDrawingAlgorithm describes it. Without a choice and without an array Direction0, the smoothest
+ * cross field is found. A field of 4 directions is a cross field. Of a field of 1 or 2, as vectors or principal directions, edges run
+ * along the lines and across. Others are refused.
  *
  *   SetInputArrayToProcess(1, 0, 0, association, name)
  *
@@ -48,8 +43,7 @@
  *
  * All is done anew in each execution. It takes a sparse factor of a Laplacian with two unknowns per point, and the cube of the number of
  * singularities, handles and holes. Where quads cannot keep the surface, there is an error that names the place and says how many would,
- * and port 1 alone has data. Same quads for any number of threads of vtkSMPTools. An aborted run leaves empty outputs. Surfaces in pieces are gathered on the first rank, as in
- * vtkDirectionalProlongation.
+ * and port 1 alone has data.
  *
  * @sa vtkHarmonicFieldSolver vtkFieldSingularities
  */
@@ -57,14 +51,14 @@
 #ifndef vtkFieldQuads_h
 #define vtkFieldQuads_h
 
+#include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldQuads : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldQuads : public vtkFieldDrawingAlgorithm
 {
 public:
   static vtkFieldQuads* New();
-  vtkTypeMacro(vtkFieldQuads, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldQuads, vtkFieldDrawingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -81,15 +75,6 @@ public:
    */
   vtkSetMacro(EdgeLength, double);
   vtkGetMacro(EdgeLength, double);
-  ///@}
-
-  ///@{
-  /**
-   * N, the number of directions per point of which the chosen array holds one, 1, 2 or 4; 0, the default, as in
-   * vtkFieldLines::NumberOfDirections. Range 0 to 8.
-   */
-  vtkSetMacro(NumberOfDirections, int);
-  vtkGetMacro(NumberOfDirections, int);
   ///@}
 
   ///@{
@@ -142,16 +127,12 @@ protected:
   vtkFieldQuads();
   ~vtkFieldQuads() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
   int NumberOfQuads = 4000;
   double EdgeLength = 0.0;
-  int NumberOfDirections = 0;
   bool AlignBoundary = true;
   bool AlignSharpEdges = true;
   double FeatureAngle = 30.0;

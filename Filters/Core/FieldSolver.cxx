@@ -154,8 +154,9 @@ private:
   void MakeSystem(const PlannedSetup& setup, const FieldConstraints& constraints, const FieldOptions& options,
     const ExecutionContext& context);
   bool UpdateSystem(SystemKey& key, const Penalties& penalties, const ExecutionContext& context);
+  /// \param startsAnew not from the last solution, so that former solves have no influence.
   void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, const PlannedSetup& setup,
-    const ExecutionContext& context);
+    bool startsAnew, const ExecutionContext& context);
   /// The solution, diffused at unit length.
   std::shared_ptr<const FieldSolution> Diffuse(
     const FieldProblem& problem, const PlannedSetup& setup, const ExecutionContext& context);
@@ -169,6 +170,7 @@ private:
   std::unique_ptr<SystemStage> System;
   std::optional<SolveKey> KeyOfSolution;
   std::shared_ptr<const FieldSolution> Solution; ///< of this key; without one, where the next solve starts
+  bool HasStartedAnew = false;                   ///< whether no former solution had an influence on this one
   std::shared_ptr<const FieldSolution> Diffused; ///< at unit length
   std::shared_ptr<const FieldSolution> StartOfDiffused;
 };
@@ -199,7 +201,8 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldPr
   this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
   const bool isDiffused = problem.UnitLengthWhileSmoothing && HaveLengths(*this->Discretisation);
   const double solved = isDiffused ? 0.8 : 1.0;
-  this->SolveSystem(onElements, problem.Stop, setup, PartOfContext(context, 0.75, solved));
+  // Where singularities balance by symmetry, diffusion makes the least difference of its start large.
+  this->SolveSystem(onElements, problem.Stop, setup, isDiffused, PartOfContext(context, 0.75, solved));
   context.Checkpoint(solved);
   return isDiffused ? this->Diffuse(problem, setup, PartOfContext(context, solved, 1.0)) : this->Solution;
 }
@@ -256,16 +259,16 @@ bool FieldSolver::Internals::UpdateSystem(SystemKey& key, const Penalties& penal
 }
 
 void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop,
-  const PlannedSetup& setup, const ExecutionContext& context)
+  const PlannedSetup& setup, bool startsAnew, const ExecutionContext& context)
 {
   const SolveKey key{ constraints.Values, constraints.Source, stop };
-  if (this->KeyOfSolution && *this->KeyOfSolution == key)
+  if (this->KeyOfSolution && *this->KeyOfSolution == key && (this->HasStartedAnew || !startsAnew))
   {
     return;
   }
-  const Vector<double> none;
-  auto [unknowns, report] = SolveInUnits(
-    this->System->Problem, key.Values, this->Solution ? this->Solution->Unknowns : none, stop, context, key.Source);
+  startsAnew = startsAnew || !this->Solution;
+  const Vector<double> start = startsAnew ? Vector<double>() : this->Solution->Unknowns;
+  auto [unknowns, report] = SolveInUnits(this->System->Problem, key.Values, start, stop, context, key.Source);
   this->Discretisation->CentreFree(constraints, unknowns);
   if (this->Discretisation->HasHarmonicFields() && !setup.Choice.Method->IsDirect && report.Converged &&
     report.Warnings.empty()) // else a factor has taken over
@@ -279,6 +282,7 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
   this->Solution = std::make_shared<const FieldSolution>(
     FieldSolution{ this->Discretisation, constraints, std::move(unknowns), std::move(report), setup.Seconds, nullptr });
   this->KeyOfSolution = key;
+  this->HasStartedAnew = startsAnew;
   ++this->Counts.Solves;
 }
 

@@ -1,17 +1,20 @@
 // Quad meshes of surfaces in PLY files.
 //
-//   BenchmarkQuads [--smooth] [--faces] [--quads 1000,4000,16000] SURFACE.ply...
+//   BenchmarkQuads [--smooth] [--faces] [--any-length] [--quads 1000,4000,16000] SURFACE.ply...
 //
 // prints a row of a table for each surface and number: what was asked for and what came of it. The field follows boundary and sharp edges;
-// with --smooth, nothing. It is a power field at points; with --faces, on faces. The column "good" is a check of the indices alone: each directed edge once, one fan per vertex, the Euler number of
+// with --smooth, nothing. It is a power field at points; with --faces, on faces. It has unit length while smoothing, as in Quad Mesh; with --any-length, not. The column "good" is a check of the indices alone: each directed edge once, one fan per vertex, the Euler number of
 // the surface, inner valences of 3 at least, no two vertices in
-// one place but where the surface has such, too. Times are processor seconds of the calls.
+// one place but where the surface has such, too. The column "along" is the share of the length of boundary and sharp edges that shall become edges of
+// quads which are beside one that runs along, in percent. Times are processor seconds of the calls.
 
 #include "CommandLine.h"
 
 #include "FieldSolver.h"
 #include "Preparation/PreparedSurface.h"
+#include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/QuadMesh.h"
+#include "Support/LinesAlongEdges.h"
 #include "Support/ReadPly.h"
 
 #include <cstdio>
@@ -111,18 +114,29 @@ bool IsGood(const FramedMesh& surface, const QuadMesh& mesh)
     CoincidingPoints(mesh.Positions) <= CoincidingPoints(surface.Mesh.VertexPositions()) && IsManifold(mesh.Quads);
 }
 
-void PrintRow(
-  const std::string& name, const FramedMesh& surface, double wanted, const QuadMesh& mesh, double field, double quads)
+/// The percentage of features along which an edge of a quad runs.
+double AlongFeatures(
+  const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options, const QuadMesh& mesh)
+{
+  const SurfaceAngles angles(surface, SerialContext());
+  const CrossField field = MatchCrosses(surface, angles, powers, SerialContext());
+  const std::vector<char> features = FindAlignedEdges(surface, angles, field, options);
+  return 100.0 * test::ShareAlongEdges(surface.Mesh, features, mesh.Quads, mesh.Positions);
+}
+
+void PrintRow(const std::string& name, const FramedMesh& surface, double wanted, const QuadMesh& mesh, double along,
+  double field, double quads)
 {
   const QuadReport& report = mesh.Report;
-  std::printf("| %s | %d | %g | %zu | %s | %d | %d | %d | %d | %d | %.3f | %d | %.1f | %.1f | %s |\n", name.c_str(),
-    surface.Mesh.NumberOfFaces(), wanted, mesh.Quads.size(), IsGood(surface, mesh) ? "yes" : "NO",
+  std::printf("| %s | %d | %g | %zu | %s | %d | %d | %d | %d | %d | %.3f | %.1f | %d | %.1f | %.1f | %s |\n",
+    name.c_str(), surface.Mesh.NumberOfFaces(), wanted, mesh.Quads.size(), IsGood(surface, mesh) ? "yes" : "NO",
     report.EulerOfSurface, report.Singularities, report.IrregularWithoutSingularity, report.FlippedFaces,
-    report.InvertedQuads, report.MeanScaledJacobian, report.Refinements, field, quads, report.Error.c_str());
+    report.InvertedQuads, report.MeanScaledJacobian, along, report.Refinements, field, quads, report.Error.c_str());
   std::fflush(stdout);
 }
 
-void Run(const std::string& path, const std::vector<double>& numbers, bool followsFeatures, bool isOnFaces)
+void Run(
+  const std::string& path, const std::vector<double>& numbers, bool followsFeatures, bool isOnFaces, bool hasUnitLength)
 {
   const PreparedSurface prepared = ReadSurface(path);
   const std::string name = path.substr(path.find_last_of('/') + 1);
@@ -132,6 +146,7 @@ void Run(const std::string& path, const std::vector<double>& numbers, bool follo
   problem.Options.Field.Kind = isOnFaces ? DiscretisationKind::PowerField : DiscretisationKind::VertexPowerField;
   problem.Features.BoundaryWeight = followsFeatures ? 1000.0 : 0.0;
   problem.Features.SharpEdgesWeight = followsFeatures ? 1000.0 : 0.0;
+  problem.UnitLengthWhileSmoothing = hasUnitLength;
   const Vector<Complex> powers = solver.Solve(problem).OnFaces.array().pow(4);
   const double field = ProcessorSeconds() - start;
   for (const double number : numbers)
@@ -140,7 +155,9 @@ void Run(const std::string& path, const std::vector<double>& numbers, bool follo
     options.NumberOfQuads = number;
     const double before = ProcessorSeconds();
     const QuadMesh mesh = MakeQuads(solver.Surface(), powers, options);
-    PrintRow(name, solver.Surface(), number, mesh, field, ProcessorSeconds() - before);
+    const double quads = ProcessorSeconds() - before;
+    PrintRow(
+      name, solver.Surface(), number, mesh, AlongFeatures(solver.Surface(), powers, options, mesh), field, quads);
   }
 }
 
@@ -162,15 +179,17 @@ int main(int argc, char* argv[])
   CommandLine commandLine(argc, argv);
   std::string numbers = "4000";
   commandLine.Take("--quads", numbers);
-  const bool isSmooth = commandLine.Take("--smooth"), isOnFaces = commandLine.Take("--faces");
+  const bool isSmooth = commandLine.Take("--smooth"), isOnFaces = commandLine.Take("--faces"),
+             hasAnyLength = commandLine.Take("--any-length");
   std::printf("| surface | triangles | wanted | quads | good | Euler | singular | irregular besides | flipped | "
               "inverted | scaled Jacobian | "
-              "rounds | field s | quads s | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+              "along | rounds | field s | quads s | error "
+              "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& path : commandLine.Paths())
   {
     try
     {
-      Run(path, NumbersOf(numbers), !isSmooth, isOnFaces);
+      Run(path, NumbersOf(numbers), !isSmooth, isOnFaces, !hasAnyLength);
     }
     catch (const std::exception& error)
     {

@@ -228,6 +228,33 @@ TEST(FieldQuads, TakeSizesFromArray)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
+// Data of a user: cells where nothing was measured, and an array of another dataset.
+TEST(FieldQuads, HandArraysOnThatAreNotFiniteAndLeaveOutShortOnes)
+{
+  const auto square = SquareWithArrays();
+  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(square->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(square->GetCellData()) })
+  {
+    const auto measured = Zeros("Measured", square->GetNumberOfCells(), 1);
+    measured->SetValue(7, std::nan(""));
+    measured->SetValue(8, HUGE_VAL);
+    attributes->AddArray(measured);
+    attributes->AddArray(Zeros("Short", 3, 1));
+  }
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(square);
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  for (const int port : { 0, 1 })
+  {
+    auto* const output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+    EXPECT_TRUE(output->GetPointData()->HasArray("Measured") && output->GetCellData()->HasArray("Measured"));
+    EXPECT_FALSE(output->GetPointData()->HasArray("Short") || output->GetCellData()->HasArray("Short"));
+  }
+}
+
 TEST(FieldQuads, RefuseFieldOfSixDirections)
 {
   vtkNew<vtkHarmonicFieldSolver> solver;

@@ -15,6 +15,7 @@
 #include "vtkFieldAngles.h"
 #include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
+#include "vtkFieldQuads.h"
 #include "vtkFieldSingularities.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -33,6 +34,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <utility>
 
 using namespace dmg;
 using namespace dmg::test;
@@ -312,8 +314,9 @@ bool MayBeNaN(const std::string& array)
   return names.count(array) > 0;
 }
 
+/// \param isOtherMesh whether the arrays of the input are handed on as new ones.
 /// \throw std::runtime_error an array that the input has not holds a number that is not finite, where NaN does not say that there is nothing.
-void CheckNumbers(vtkDataObject* output, vtkPolyData* input)
+void CheckNumbers(vtkDataObject* output, vtkPolyData* input, bool isOtherMesh)
 {
   for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
   {
@@ -322,7 +325,8 @@ void CheckNumbers(vtkDataObject* output, vtkPolyData* input)
     for (int k = 0; arrays && k < arrays->GetNumberOfArrays(); ++k)
     {
       auto* const array = vtkDoubleArray::SafeDownCast(arrays->GetAbstractArray(k));
-      if (!array || (given && given->GetAbstractArray(array->GetName()) == array))
+      vtkAbstractArray* const former = array && given ? given->GetAbstractArray(array->GetName()) : nullptr;
+      if (!array || former == array || (isOtherMesh && former))
       {
         continue;
       }
@@ -349,6 +353,12 @@ bool HandsOn(vtkAlgorithm* filter, vtkDataObject* output, vtkPolyData* input)
     arraysOf(output, vtkDataObject::CELL) == arraysOf(input, vtkDataObject::CELL);
 }
 
+/// Where quads cannot be made, there is the map that they would come from.
+bool IsMapWithoutQuads(vtkAlgorithm* filter, int port)
+{
+  return port == 1 && vtkFieldQuads::SafeDownCast(filter);
+}
+
 void Run(vtkAlgorithm* filter, vtkPolyData* input)
 {
   const Messages messages(filter);
@@ -363,11 +373,11 @@ void Run(vtkAlgorithm* filter, vtkPolyData* input)
   {
     vtkDataObject* const output = filter->GetOutputDataObject(port);
     if (!messages.Error().empty() && output->GetNumberOfElements(vtkDataObject::CELL) > 0 &&
-      !(port == 0 && HandsOn(filter, output, input)))
+      !(port == 0 && HandsOn(filter, output, input)) && !IsMapWithoutQuads(filter, port))
     {
       throw std::runtime_error("an output in spite of " + messages.Error());
     }
-    CheckNumbers(output, input);
+    CheckNumbers(output, input, vtkFieldQuads::SafeDownCast(filter));
   }
 }
 
@@ -491,6 +501,43 @@ vtkSmartPointer<vtkPolyData> StripsOf(Choices& choose, vtkPolyData* surface)
   return strips;
 }
 
+/// Quads of a field or of a bare surface: each side of an edge has one quad at most, and the mesh has the Euler number of the surface.
+void RunQuads(Choices& choose, vtkPolyData* surface)
+{
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetNumberOfQuads(1 + choose.Below(choose.OneIn(4) ? 2000 : 200));
+  filter->SetEdgeLength(choose.OneIn(10) ? choose.Number() : 0.0);
+  filter->SetNumberOfDirections(choose.Below(5));
+  filter->SetAlignBoundary(choose.OneIn(2));
+  filter->SetAlignSharpEdges(choose.OneIn(2));
+  filter->SetFeatureAngle(180.0 * choose.Unit());
+  filter->SetSmoothingSteps(choose.Below(8));
+  filter->SetInputArrayToProcess(1, 0, 0, choose.Below(2), choose.OneIn(8) ? "Values" : "");
+  Draw(choose, { filter }, surface);
+  const auto numberOf = [&filter](const char* name)
+  {
+    vtkDataArray* const array = filter->GetOutput()->GetFieldData()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : 0.0;
+  };
+  if (numberOf("EulerCharacteristic") != numberOf("EulerCharacteristicOfSurface"))
+  {
+    throw std::runtime_error("the quads have another Euler characteristic than their surface");
+  }
+  std::set<std::pair<vtkIdType, vtkIdType>> sides;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType quad = 0; quad < filter->GetOutput()->GetNumberOfCells(); ++quad)
+  {
+    filter->GetOutput()->GetCellPoints(quad, corners);
+    for (int k = 0; k < 4; ++k)
+    {
+      if (!sides.emplace(corners->GetId(k), corners->GetId((k + 1) % 4)).second)
+      {
+        throw std::runtime_error("two quads are on one side of an edge");
+      }
+    }
+  }
+}
+
 void RunCase(unsigned long long seed)
 {
   Choices choose(seed);
@@ -559,6 +606,7 @@ void RunCase(unsigned long long seed)
       filter->Update(); // ends, with an output or an error
     }
   }
+  RunQuads(choose, choose.OneIn(2) ? field : input);
 }
 
 /// \return whether it is as it must be.

@@ -17,7 +17,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_sphere, xdotool
+from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -79,6 +79,16 @@ class Window:
         """The colours of the screen, a row each."""
         take_picture(self.folder / f"{self.name}-{name}.png")
         return pixels(self.folder / f"{self.name}-{name}.png")
+
+    def save(self, file):
+        """The selected output, as one action: the menu and the dialogs belong together."""
+        return (self.event(f"{MAIN}/menubar/menu_File/actionFileSaveData", "activate")
+                + self.opened(f"{MAIN}/FileSaveDialog", self.folder / file, "filesSelected")
+                + self.opened(f"{MAIN}/WriterSettingsDialog/widget/OKButton", ""))
+
+    def open(self, file):
+        return (self.event(f"{MAIN}/menubar/menu_File/actionFileOpen", "activate")
+                + self.opened(f"{MAIN}/FileOpenDialog", self.folder / file, "filesSelected"))
 
     # How they are played -------------------------------------------------------------------------
 
@@ -287,7 +297,33 @@ def draw_eigenvectors(window):
     assert window.log.read_text().count("no sign") == 1
 
 
-TESTS = {"Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors), "ThirdPoint": (write_sphere, place_third_point),
+def quads_of(mesh):
+    """The points of each cell, all of which have four; every directed edge is there once, and so is its opposite."""
+    assert mesh.GetPolys().IsHomogeneous() == 4 and mesh.GetNumberOfCells() == mesh.GetPolys().GetNumberOfCells()
+    quads = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    ends = np.stack([quads, np.roll(quads, -1, axis=1)], axis=2).reshape(-1, 2)
+    directed = set(map(tuple, ends))
+    assert len(directed) == len(ends) and directed == {(b, a) for a, b in directed}
+    assert mesh.GetNumberOfPoints() - len(ends) // 2 + len(quads) == 2
+    return quads
+
+
+def make_quads(window):
+    """Quads of a bare sphere by four actions, another number by two more. A file of them opens as the same quads."""
+    quads = quads_of(window.play("quads", window.apply(), window.choose_filter("QuadMesh"), window.apply()))
+    assert window.actions == 4, window.actions
+    assert abs(len(quads) - 4000) < 400, len(quads)
+    fewer = window.play("fewer", window.set("NumberOfQuads/IntRangeWidget/LineEdit", "600"), window.apply())
+    assert window.actions == 6, window.actions
+    assert abs(len(quads_of(fewer)) - 600) < 60, len(quads_of(fewer))
+    file = f"{window.name}.obj"
+    again = window.play("again", window.save(file), window.open(file), window.apply())
+    assert np.array_equal(quads_of(again), quads_of(fewer))
+    assert np.abs(vtk_to_numpy(again.GetPoints().GetData()) - vtk_to_numpy(fewer.GetPoints().GetData())).max() < 1e-5
+
+
+TESTS = {"Quads": (write_bare_sphere, make_quads),
+         "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors), "ThirdPoint": (write_sphere, place_third_point),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "FilterFirst": (write_sphere, draw_after_the_filter)}
 

@@ -6,6 +6,7 @@
 #include "vtkFieldAngles.h"
 #include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
+#include "vtkFieldQuads.h"
 #include "vtkFieldSingularities.h"
 #include "vtkLineSource.h"
 #include "vtkMultiBlockDataSet.h"
@@ -436,6 +437,34 @@ TEST(GatheredSurface, IsDrawnWithoutSeams)
     crossing += above > 0 && above < ids->GetNumberOfIds() ? 1 : 0;
   }
   EXPECT_GT(crossing, 10);
+}
+
+TEST(GatheredSurface, HasTheQuadsOfTheWhole)
+{
+  const auto update = [](vtkPolyData* surface, bool isInPieces)
+  {
+    auto filter = vtkSmartPointer<vtkFieldQuads>::New();
+    filter->SetInputData(surface);
+    filter->SetNumberOfQuads(200);
+    const Messages messages(filter);
+    isInPieces ? UpdateOwnPiece(filter) : filter->Update();
+    EXPECT_TRUE(messages.Silent()) << messages.Error();
+    return filter;
+  };
+  const auto numberOf = [](vtkFieldQuads* filter, const char* name)
+  { return filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const auto filter = update(OwnBand(), true);
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_EQ(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(port))->GetNumberOfCells() > 0, Rank() == 0);
+  }
+  if (Rank() == 0)
+  {
+    const auto whole = update(Sphere(Subdivisions), false);
+    EXPECT_FALSE(Gathered(filter->GetOutput()).empty());
+    EXPECT_EQ(numberOf(filter, "EulerCharacteristic"), 2.0);
+    EXPECT_EQ(numberOf(filter, "Singularities"), numberOf(whole, "Singularities"));
+  }
 }
 
 TEST(GatheredSurface, DirectionalFieldDrawsIt)

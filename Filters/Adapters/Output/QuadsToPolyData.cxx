@@ -1,6 +1,8 @@
 #include "Adapters/Output/QuadsToPolyData.h"
 
+#include "Adapters/Data/ShortArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
+#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
 
@@ -45,6 +47,16 @@ vtkSmartPointer<vtkIntArray> NewIntegers(const char* name, vtkIdType tuples)
   return array;
 }
 
+/// The arrays of the surface, but for those that are too short.
+template <class Attributes>
+vtkSmartPointer<Attributes> ArraysOf(Attributes* given, vtkIdType elements)
+{
+  const auto arrays = vtk::TakeSmartPointer(given->NewInstance());
+  arrays->ShallowCopy(given);
+  RemoveShortArrays(arrays, elements);
+  return arrays;
+}
+
 /// Arrays of the surface that have no meaning on another mesh are left out: ghosts, numbers, normals and texture coordinates.
 template <class Attributes>
 void LeaveOut(Attributes* attributes)
@@ -60,10 +72,11 @@ void LeaveOut(Attributes* attributes)
 void InterpolatePoints(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDataSet* input, vtkPolyData* output)
 {
   const vtkIdType size = quads.Positions.rows();
-  vtkPointData* const from = input->GetPointData();
+  const auto from = ArraysOf(input->GetPointData(), input->GetNumberOfPoints());
   vtkPointData* const to = output->GetPointData();
   LeaveOut(to);
   to->InterpolateAllocate(from, size);
+  AllowAnyNumber(to);
   const auto normals = NewArray("Normals", 3, size);
   vtkNew<vtkIdList> corners;
   corners->SetNumberOfIds(3);
@@ -123,13 +136,15 @@ void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtk
   const auto jacobians = NewArray("ScaledJacobian", 1, size);
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
+  const auto givenToCells = ArraysOf(input->GetCellData(), input->GetNumberOfCells());
   LeaveOut(ofCells);
-  ofCells->CopyAllocate(input->GetCellData(), size);
+  ofCells->CopyAllocate(givenToCells, size);
+  AllowAnyNumber(ofCells);
   for (vtkIdType quad = 0; quad < size; ++quad)
   {
     const auto& corners = quads.Quads[quad];
     cells->InsertNextCell({ corners[0], corners[1], corners[2], corners[3] });
-    ofCells->CopyData(input->GetCellData(), surface.Surface->Relation.CellOf(quads.Faces[quad]), quad);
+    ofCells->CopyData(givenToCells, surface.Surface->Relation.CellOf(quads.Faces[quad]), quad);
     jacobians->SetValue(quad, quads.ScaledJacobians[quad]);
   }
   output->SetPoints(points);
@@ -147,8 +162,10 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
   std::vector<int> halfedges;                                           // one for each of these
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
+  const auto givenToCells = ArraysOf(input->GetCellData(), input->GetNumberOfCells());
   LeaveOut(ofCells);
-  ofCells->CopyAllocate(input->GetCellData(), mesh.NumberOfFaces());
+  ofCells->CopyAllocate(givenToCells, mesh.NumberOfFaces());
+  AllowAnyNumber(ofCells);
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     std::array<vtkIdType, 3> corners{};
@@ -164,19 +181,21 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
       corners[k] = number->second;
     }
     cells->InsertNextCell({ corners[0], corners[1], corners[2] });
-    ofCells->CopyData(input->GetCellData(), surface.Surface->Relation.CellOf(face), face);
+    ofCells->CopyData(givenToCells, surface.Surface->Relation.CellOf(face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto points = NewPoints(size);
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
+  const auto givenToPoints = ArraysOf(input->GetPointData(), input->GetNumberOfPoints());
   LeaveOut(ofPoints);
-  ofPoints->CopyAllocate(input->GetPointData(), size);
+  ofPoints->CopyAllocate(givenToPoints, size);
+  AllowAnyNumber(ofPoints);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
     points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    ofPoints->CopyData(input->GetPointData(), surface.Surface->Relation.PointOf(mesh.Tail(h)), point);
+    ofPoints->CopyData(givenToPoints, surface.Surface->Relation.PointOf(mesh.Tail(h)), point);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));

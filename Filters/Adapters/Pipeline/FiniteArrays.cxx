@@ -22,9 +22,17 @@ namespace dmg
 namespace
 {
 
-vtkInformationIntegerKey* KeyOfNaN()
+/// The numbers that an array may have besides finite ones.
+enum Others
 {
-  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("NAN_IS_NOTHING", "dmgFiniteArrays");
+  None,
+  NaN,
+  Any
+};
+
+vtkInformationIntegerKey* KeyOfOthers()
+{
+  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("OTHER_NUMBERS", "dmgFiniteArrays");
   return key;
 }
 
@@ -32,15 +40,18 @@ void CheckNumbers(vtkAbstractArray* array, const std::string& name)
 {
   auto* const numbers = vtkDoubleArray::SafeDownCast(array);
   const double* const first = numbers ? numbers->GetPointer(0) : nullptr;
-  const bool allowsNaN = numbers && numbers->HasInformation() && numbers->GetInformation()->Has(KeyOfNaN());
-  const auto isRight = [allowsNaN](double x) { return std::isfinite(x) || (allowsNaN && std::isnan(x)); };
+  const int others = array && array->HasInformation() && array->GetInformation()->Has(KeyOfOthers())
+    ? array->GetInformation()->Get(KeyOfOthers())
+    : None;
+  const auto isRight = [others](double x)
+  { return std::isfinite(x) || others == Any || (others == NaN && std::isnan(x)); };
   if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), isRight))
   {
     throw UnexpectedFailure(name + " would not be finite");
   }
-  if (allowsNaN)
+  if (others != None)
   {
-    numbers->GetInformation()->Remove(KeyOfNaN());
+    array->GetInformation()->Remove(KeyOfOthers());
   }
 }
 
@@ -75,7 +86,15 @@ void AllowNaN(vtkAbstractArray* array)
 {
   if (array)
   {
-    array->GetInformation()->Set(KeyOfNaN(), 1);
+    array->GetInformation()->Set(KeyOfOthers(), NaN);
+  }
+}
+
+void AllowAnyNumber(vtkFieldData* arrays)
+{
+  for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+  {
+    arrays->GetAbstractArray(k)->GetInformation()->Set(KeyOfOthers(), Any);
   }
 }
 

@@ -4,6 +4,7 @@
 class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
+class vtkFieldData;
 
 namespace dmg
 {
@@ -17,6 +18,9 @@ void CheckArraysAreFinite(vtkDataObject* output, vtkDataSet* input);
 
 /// Says of a new array that NaN stands in it where there is nothing, until it has been checked. Null is passed over.
 void AllowNaN(vtkAbstractArray* array);
+
+/// Says of new arrays that their numbers are those of the user, who may have any, until they have been checked.
+void AllowAnyNumber(vtkFieldData* arrays);
 
 }
 

@@ -1,5 +1,6 @@
 #include "Adapters/Ranks/JoinedPieces.h"
 
+#include "Adapters/Data/ShortArrays.h"
 #include "Adapters/Ranks/NearPlaces.h"
 
 #include "vtkAppendFilter.h"
@@ -30,18 +31,6 @@ namespace dmg
 
 namespace
 {
-
-/// Leaves out the arrays that are shorter than the elements of a dataset: VTK would copy tuples that are not there.
-void RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType elements)
-{
-  for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
-  {
-    if (data->GetAbstractArray(k)->GetNumberOfTuples() < elements)
-    {
-      data->RemoveArray(k);
-    }
-  }
-}
 
 bool HasShortArrays(vtkFieldData* data, vtkIdType elements)
 {

@@ -10,6 +10,7 @@
 #include "Quads/Isolines/IndexedQuads.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
+#include "Quads/Isolines/LinesOnSurface.h"
 #include "Quads/Isolines/QuadDefects.h"
 #include "Quads/Isolines/QuadSmoothing.h"
 #include "Quads/Map/SeamlessVariables.h"
@@ -34,8 +35,12 @@ constexpr int MostRounds = 6;
 constexpr double FewestQuadsOfComponent = 24.0;
 /// Singularities are split at this distance, in edges of quads.
 constexpr double DistanceOfSplitting = 1.5;
-/// Edges are halved so many times at most.
+/// Edges are this much shorter at most where they were halved.
 constexpr double SmallestScale = 1.0 / 64.0;
+/// More quads would take gigabytes.
+constexpr double MostQuads = 1e7;
+/// Halving edges goes on until there are this many times more quads than at first.
+constexpr double LargestGrowth = 40.0;
 
 void CheckInput(
   const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options, const ElementNames& names)
@@ -105,13 +110,18 @@ public:
   QuadMesh Make(const ExecutionContext& context)
   {
     context.Checkpoint(0.02);
+    if (const double quads = this->ExpectedQuads(this->Lengths); !(quads <= MostQuads))
+    {
+      throw InvalidInput("there would be " + ShortText(quads) + " quads; make edges longer, or sizes more alike");
+    }
     this->Report.SplitSingularities =
       SplitSingularities(this->Surface, this->Angles, DistanceOfSplitting * this->Report.LengthOfEdges, this->Field);
     this->Cut = CutAlongSeams(this->Mesh, this->Field);
-    this->IsAligned = FindAlignedEdges(this->Surface, this->Angles, this->Field, this->Options);
+    const std::vector<char> isAligned = FindAlignedEdges(this->Surface, this->Angles, this->Field, this->Options);
+    this->Lines.emplace(this->Mesh, isAligned);
     context.Checkpoint(0.1);
     this->Map.emplace(this->Surface, this->Field,
-      MakeSeamlessVariables(this->Mesh, this->Angles, this->Field, this->Cut, this->IsAligned),
+      MakeSeamlessVariables(this->Mesh, this->Angles, this->Field, this->Cut, isAligned),
       PartOfContext(context, 0.15, 0.6));
     this->FitLengths(PartOfContext(context, 0.6, 0.65));
     Round best = this->BestRound(PartOfContext(context, 0.65, 0.9));
@@ -156,6 +166,12 @@ private:
     this->Report.LengthOfEdges *= limited;
   }
 
+  /// On a flat surface.
+  double ExpectedQuads(const Vector<double>& lengths) const
+  {
+    return (this->Mesh.FaceAreas().array() / lengths.array().square()).sum();
+  }
+
   /// Makes quads, with shorter edges where they do not fit, until they do.
   Round BestRound(const ExecutionContext& context)
   {
@@ -182,6 +198,11 @@ private:
       {
         scales[face] = areBad[face] ? std::max(0.5 * scales[face], SmallestScale) : scales[face];
       }
+      const double expected = this->ExpectedQuads(this->Lengths.cwiseProduct(scales));
+      if (expected > std::min(MostQuads, LargestGrowth * this->ExpectedQuads(this->Lengths)))
+      {
+        break;
+      }
     }
     return std::move(*best);
   }
@@ -193,7 +214,7 @@ private:
     round.Isolines = ArrangeIsolines(this->Mesh, this->Cut, round.Map, PartOfContext(context, 0.7, 0.9));
     round.Cells = FindCells(this->Mesh, round.Isolines);
     round.Places =
-      PlaceCells(this->Places, this->Angles, this->Field, this->IsAligned, round.Map, round.Isolines, round.Cells);
+      PlaceCells(this->Places, this->Angles, this->Field, *this->Lines, round.Map, round.Isolines, round.Cells);
     const IndexedQuads before = QuadsOfCells(round.Isolines, round.Cells);
     round.Quads = before;
     CleanUp(round.Quads, Ranks(round.Places));
@@ -264,11 +285,11 @@ private:
 
   void FillQuads(Round& round, QuadMesh& mesh, const ExecutionContext& context)
   {
-    SmoothQuads(
-      this->Places, round.Quads, this->Options.SmoothingSteps, round.Places, PartOfContext(context, 0.0, 0.7));
+    SmoothQuads(this->Places, *this->Lines, round.Quads, this->Options.SmoothingSteps, round.Places,
+      PartOfContext(context, 0.0, 0.7));
     if (this->Options.SmoothingSteps > 0)
     {
-      Untangle(this->Places, round.Quads, round.Places, PartOfContext(context, 0.7, 1.0));
+      Untangle(this->Places, *this->Lines, round.Quads, round.Places, PartOfContext(context, 0.7, 1.0));
     }
     const QuadTopology topology(round.Quads);
     std::vector<int> numbers(round.Quads.NumberOfVertices(), -1);
@@ -325,7 +346,7 @@ private:
   const NearestPlaces Places;
   Vector<double> Lengths;
   CutSurface Cut;
-  std::vector<char> IsAligned;
+  std::optional<LinesOnSurface> Lines; ///< of aligned edges
   std::optional<SeamlessMap> Map;
   Vector<double> BestScales;
 };

@@ -62,7 +62,8 @@ struct QuadMesh
 ///   edges gives edges along them (FeatureOptions).
 /// \param names says how messages call faces and vertices.
 /// \return the same bits for any number of threads.
-/// \throw InvalidInput an option is out of range, or the number of powers is not that of faces, or one is not finite.
+/// \throw InvalidInput an option is out of range, or the number of powers is not that of faces, or one is not finite; there would be more
+///   than ten million quads.
 /// Cost: a sparse factor of a Laplacian of the vertices with two unknowns each, a solve per integer, of which there are some for each
 /// singularity, handle and hole, and the cube of their number.
 QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options = {},

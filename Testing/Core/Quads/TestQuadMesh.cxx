@@ -2,6 +2,7 @@
 
 #include "QuadExamples.h"
 #include "Support/Errors.h"
+#include "Support/LinesAlongEdges.h"
 #include "Support/TbbContext.h"
 
 #include <algorithm>
@@ -239,6 +240,33 @@ TEST(QuadMesh, OfCubeHasEightVerticesOfThreeQuads)
   }
 }
 
+/// The boundary, and the sharp edges: two coordinates are 1 or -1 all along.
+std::vector<char> EdgesOfCube(const TriangleMesh& mesh)
+{
+  std::vector<char> areSharp(mesh.NumberOfEdges());
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const auto [a, b] = mesh.EdgeVertices(edge);
+    const Vector3 tail = mesh.Position(a), head = mesh.Position(b);
+    areSharp[edge] = ((tail.array() == head.array()) && (tail.array().abs() == 1.0)).count() >= 2 ||
+      mesh.Twin(mesh.HalfedgeOf(edge)) < 0;
+  }
+  return areSharp;
+}
+
+TEST(QuadMesh, HasEdgesAlongAllBoundaryAndSharpEdges)
+{
+  const auto isInCorner = [](const Vector3& middle) { return middle.minCoeff() > 0.2; };
+  const Surface shape = Without(Cube(20), isInCorner); // open where a smaller cube begins
+  const FramedMesh surface(shape.Mesh());
+  const QuadMesh mesh = QuadsOf(shape, 500.0);
+  const std::vector<char> features = EdgesOfCube(surface.Mesh);
+  EXPECT_NEAR(ShareAlongEdges(surface.Mesh, features, mesh.Quads, mesh.Positions), 1.0, 1e-12);
+  Points shifted = mesh.Positions; // the measure sees a third of an edge
+  shifted.array() += mesh.Report.LengthOfEdges / 3.0;
+  EXPECT_LT(ShareAlongEdges(surface.Mesh, features, mesh.Quads, shifted), 0.1);
+}
+
 TEST(QuadMesh, OfSphereHasEightVerticesOfThreeQuads)
 {
   for (const double number : { 600.0, 24.0 })
@@ -420,6 +448,9 @@ TEST(QuadMesh, RefusesOptionsThatMeanNothing)
   notFinite[2] = std::nan("");
   EXPECT_THROW(MakeQuads(surface, notFinite), InvalidInput);
   QuadOptions options;
+  options.EdgeLength = 1e-20; // more quads than there is room for
+  EXPECT_THROW(MakeQuads(surface, crosses, options), InvalidInput);
+  options.EdgeLength = 0.0;
   options.Sizes = Vector<double>::Zero(crosses.size());
   EXPECT_THROW(MakeQuads(surface, crosses, options), InvalidInput);
 }

@@ -139,6 +139,28 @@ TEST(UnitLengthDiffusion, IsDoneOnceAndHasTheSameBitsForAnyNumberOfThreads)
   }
 }
 
+// A symmetric disk keeps its singularities in balance in the middle, where the least difference decides where they go.
+TEST(UnitLengthDiffusion, DoesNotDependOnFormerSolves)
+{
+  FieldProblem problem = ProblemOf(DiscretisationKind::VertexPowerField, 4, 3.0);
+  problem.Options.Solver.Kind = SolverKind::ConjugateGradients;
+  problem.Constraints.OnFaces = { { 17, Vector3(1.0, 2.0, 0.0), 1.0 } };
+  FieldProblem otherDirection = problem, withoutDiffusion = problem, otherFace = problem, otherWeight = problem;
+  otherDirection.Constraints.OnFaces[0].Direction = Vector3(2.0, 1.0, 0.0);
+  withoutDiffusion.UnitLengthWhileSmoothing = false;
+  otherFace.Constraints.OnFaces[0].Element = 99;
+  otherWeight.Features.BoundaryWeight = 0.1;
+  FieldSolver fresh(Disk(40).Mesh());
+  const Vector<double> expected = fresh.Solve(problem).Solution->Unknowns;
+  FieldSolver solver(Disk(40).Mesh());
+  solver.Solve(otherDirection);
+  for (const FieldProblem& former : { withoutDiffusion, otherDirection, otherFace, otherWeight })
+  {
+    solver.Solve(former);
+    EXPECT_EQ(solver.Solve(problem).Solution->Unknowns, expected);
+  }
+}
+
 TEST(UnitLengthDiffusion, IsNothingForNumbersOnEdges)
 {
   FieldSolver solver(Disk(8).Mesh());

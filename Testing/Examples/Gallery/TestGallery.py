@@ -238,6 +238,49 @@ def check_carried(result):
     assert np.ptp(lengths) < 1e-6 * lengths.max() and np.abs((vectors * normals(data)).sum(1)).max() < 1e-6
 
 
+def sides_of_quads(mesh):
+    """The directed edges of a mesh of quads alone, each of which is there once; in four columns, a row per quad."""
+    assert mesh.GetPolys().IsHomogeneous() == 4 and mesh.GetNumberOfCells() == mesh.GetPolys().GetNumberOfCells()
+    points = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 4).astype(np.int64)
+    sides = points * mesh.GetNumberOfPoints() + np.roll(points, -1, axis=1)
+    assert len(np.unique(sides)) == sides.size
+    return points, np.roll(points, -1, axis=1)
+
+
+def euler(mesh, a, b):
+    return mesh.GetNumberOfPoints() - len(np.unique(np.sort([a.ravel(), b.ravel()], axis=0), axis=1).T) + mesh.GetNumberOfCells()
+
+
+def check_quads(result):
+    """A toy, a solid with two holes through it, and sheet metal with four holes."""
+    for quads, characteristic in zip(map(fetch, result), (2, -2, -3)):
+        assert euler(quads, *sides_of_quads(quads)) == characteristic
+        jacobians = cells(quads, "ScaledJacobian")
+        assert jacobians.min() > 0 and jacobians.mean() > 0.93, (jacobians.min(), jacobians.mean())
+
+
+def check_quad_way(result):
+    """As many quads as wanted, or nearly so; irregular vertices are the singularities of the field."""
+    quads = fetch(result)
+    assert euler(quads, *sides_of_quads(quads)) == 2
+    assert abs(quads.GetNumberOfCells() - 1100) < 110, quads.GetNumberOfCells()
+    irregular = vtk_to_numpy(quads.GetPointData().GetArray("Irregular"))
+    assert irregular.sum() == -8 and (irregular != 0).sum() == field_data(quads, "Singularities")
+
+
+def check_unit_length(result):
+    """Edges are alike where singularities keep apart."""
+    spreads = []
+    for quads in map(fetch, result):
+        a, b = sides_of_quads(quads)
+        points = vtk_to_numpy(quads.GetPoints().GetData())
+        lengths = np.linalg.norm(points[b] - points[a], axis=-1)
+        spreads.append(lengths.std() / lengths.mean())
+        assert euler(quads, a, b) == 1
+    print(f"edges differ by {spreads[0]:.0%} and {spreads[1]:.0%} of their mean")
+    assert spreads[0] > 0.3 and spreads[1] < 0.15, spreads
+
+
 def check_hatching(result):
     """The drawing is made of lines, as many as there are, and lighter where the light is: above."""
     hatching, outline, drawing = result

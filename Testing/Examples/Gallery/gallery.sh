@@ -3,7 +3,7 @@
 #
 #   Testing/Examples/Gallery/gallery.sh [SCENE...]
 #
-# Needs a display or xvfb-run, ImageMagick, and for nothing_said the lion of Debian's package libcgal-demo.
+# Needs a display or xvfb-run, ImageMagick, and for nothing_said and quads the lion of Debian's package libcgal-demo.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -16,12 +16,12 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean organ_flow carried way_in three_fields hatching convergence)
+    moving_guides levels ocean organ_flow carried way_in quads quad_way unit_length three_fields hatching convergence)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()
   case $scene in
-    nothing_said)
+    nothing_said | quads)
       "$root/.ci/unpack-packages" "$root/build/data" libcgal-demo
       tar -xzOf "$root/build/data/usr/share/doc/libcgal-dev/data.tar.gz" data/meshes/lion-head.off > lion.off
       /usr/bin/python3 "$here/../off_to_ply.py" lion.off lion.ply

@@ -89,6 +89,13 @@ def show_singularities(field, view, radius=0.01, **properties):
     return servermanager.Fetch(singularities)
 
 
+def show_quads(quads, view, width=0.0011, **properties):
+    """Quads with their edges as tubes, and a ball at each irregular vertex: red with fewer than four quads, green with more."""
+    show_surface(quads, view, **properties)
+    show(Tube(Input=ExtractEdges(Input=quads), Radius=width * size_of(quads), NumberofSides=8), view, BLUE, **properties)
+    show(OutputPort(quads, 2), view, Representation="Sign Colors", Specular=0.4, **properties)
+
+
 def save(view, name, zoom=1.3):
     """As a picture that is larger than 2400 pixels, to be shrunk."""
     ResetCamera(view)

@@ -89,6 +89,27 @@ def circle(x, y, radius, spacing):
     return np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], 1)
 
 
+def along(corners, spacing):
+    """Points on a closed polygon in the plane, from its corners as complex numbers."""
+    line = np.concatenate([np.linspace(a, b, max(1, round(abs(b - a) / spacing)), endpoint=False)
+                           for a, b in zip(corners, np.roll(corners, -1))])
+    return np.stack([line.real, line.imag], 1)
+
+
+def extruded(points, triangles, height, spacing):
+    """The solid over a part of the plane."""
+    sides = np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+    there = set(map(tuple, sides))
+    a, b = np.array([side for side in sides if tuple(side[::-1]) not in there]).T
+    levels = np.linspace(0, height, 1 + max(1, round(height / spacing)))
+    up = len(points)  # from a point to that above it
+    wall = [np.stack(three, 1) + k * up for k in range(len(levels) - 1) for three in ((a, b, b + up), (a, b + up, a + up))]
+    solid = np.concatenate([triangles[:, ::-1], *wall, triangles + up * (len(levels) - 1)])
+    used, corners = np.unique(solid, return_inverse=True)
+    places = np.concatenate([points + (0, 0, level) for level in levels])[used]
+    return polydata(places, corners.reshape(-1, 3))
+
+
 def ellipsoid(centre, radii, pitch=0):
     """A distance, nearly; turned about z by pitch degrees."""
     c, s = np.cos(np.radians(pitch)), np.sin(np.radians(pitch))
@@ -161,18 +182,40 @@ def bracket(spacing=0.04):
     x, y = half - corner
     arc = corner * np.exp(0.5j * np.pi * np.linspace(0, 1, int(0.5 * np.pi * corner / spacing)))
     corners = np.concatenate([x + 1j * y + arc, -x + 1j * y + 1j * arc])
-    outline = np.concatenate([corners, -corners, corners[:1]])
-    outline = np.concatenate([np.linspace(a, b, max(1, round(abs(b - a) / spacing)), endpoint=False)
-                              for a, b in zip(outline, outline[1:])])
+    outline = along(np.concatenate([corners, -corners]), spacing)
     across = np.linspace(-1, 1, int(2 / spacing))[:, None]
     folds = across * (0.25, 1) + (1, 0), across * (0, 1) - (1, 0)
-    points, triangles = planar([np.stack([outline.real, outline.imag], 1), *folds, *(circle(*hole, spacing) for hole in holes)],
+    points, triangles = planar([outline, *folds, *(circle(*hole, spacing) for hole in holes)],
                                distance, spacing)
     for fold, origin, up in (((0.25, 1, 0), (1, 0, 0), -1), ((0, -1, 0), (-1, 0, 0), 1)):
         across = np.cross(fold, (0, 0, 1)) / np.linalg.norm(fold)
         beyond = (points - origin) @ across
         points = points - np.maximum(beyond, 0)[:, None] * (across - (0, 0, up))
     return polydata(points, triangles)
+
+
+def lever(spacing=0.05):
+    """A solid with two round ends, one of radius 1 with a hole of six sides, the other one smaller with a round hole; z is up."""
+    length, small, slope = 2.4, 0.55, (1 - 0.55) / 2.4
+    across = np.sqrt(1 - slope ** 2)
+
+    def distance(x, y):
+        straight = np.max([slope * x + across * np.abs(y) - 1, slope - x, x - length - small * slope], axis=0)
+        solid = np.min([np.hypot(x, y) - 1, np.hypot(x - length, y) - small, straight], axis=0)
+        six = np.max([np.abs(x * np.cos(t) + y * np.sin(t)) for t in np.pi / 6 + np.pi / 3 * np.arange(3)], axis=0)
+        return np.max([solid, 0.5 - six, 0.28 - np.hypot(x - length, y)], axis=0)
+
+    turn = np.arccos(slope)
+    ends = [np.exp(1j * np.linspace(turn, 2 * np.pi - turn, int((2 * np.pi - 2 * turn) / spacing))),
+            length + small * np.exp(1j * np.linspace(-turn, turn, int(2 * turn * small / spacing)))]
+    hexagon = 0.5 / np.cos(np.pi / 6) * np.exp(1j * np.pi / 3 * np.arange(6))
+    curves = [along(np.concatenate(ends), spacing), along(hexagon, spacing), circle(length, 0, 0.28, spacing)]
+    return extruded(*planar(curves, distance, spacing), 0.6, spacing)
+
+
+def disk(spacing=0.04):
+    """Of radius 1, in a plane."""
+    return polydata(*planar([circle(0, 0, 1, spacing)], lambda x, y: x * x + y * y - 1, spacing))
 
 
 def ocean(spacing=0.035):

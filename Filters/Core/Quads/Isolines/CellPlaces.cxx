@@ -1,16 +1,12 @@
 #include "Quads/Isolines/CellPlaces.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dmg
 {
 
 namespace
 {
-
-/// Two aligned edges that turn by more than this, in degrees, have a bend between them.
-constexpr double LargestBend = 50.0;
 
 class CellPlacement
 {
@@ -91,11 +87,11 @@ public:
   }
 
   void PlaceOnLines(
-    const SurfaceAngles& angles, const CrossField& field, const std::vector<char>& isAligned, const MapOfCorners& map)
+    const SurfaceAngles& angles, const CrossField& field, const LinesOnSurface& lines, const MapOfCorners& map)
   {
     for (int edge = 0; edge < this->Mesh.NumberOfEdges(); ++edge)
     {
-      if (isAligned[edge])
+      if (lines.Has(edge))
       {
         const int h = this->Mesh.HalfedgeOf(edge), c = RunsAlongU(angles, field, h) ? 0 : 1;
         this->PlaceAtIntegers(h, map[h][c], map[TriangleMesh::Next(h)][c]);
@@ -104,7 +100,7 @@ public:
     for (int vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
     {
       const int cell = this->Cells.OfVertices[vertex];
-      if (cell >= 0 && this->IsCorner(vertex, isAligned))
+      if (cell >= 0 && lines.IsCorner(vertex))
       {
         this->Result.Places[cell] = AtTail(this->Mesh.OutgoingHalfedge(vertex));
         this->Result.Holds[cell] = Hold::AtPoint;
@@ -153,30 +149,6 @@ private:
     }
   }
 
-  /// Whether aligned edges end, branch or bend at a vertex.
-  bool IsCorner(int vertex, const std::vector<char>& isAligned) const
-  {
-    std::vector<Vector3> ways;
-    const auto add = [&](int h, int other)
-    {
-      if (isAligned[this->Mesh.EdgeOf(h)])
-      {
-        ways.push_back((this->Mesh.Position(other) - this->Mesh.Position(vertex)).normalized());
-      }
-    };
-    this->Mesh.VisitFan(vertex,
-      [&](int h)
-      {
-        add(h, this->Mesh.Head(h));
-        const int incoming = TriangleMesh::Previous(h);
-        if (this->Mesh.Twin(incoming) < 0)
-        {
-          add(incoming, this->Mesh.Tail(incoming));
-        }
-      });
-    return !ways.empty() && (ways.size() != 2 || ways[0].dot(ways[1]) > -std::cos(LargestBend * Pi / 180.0));
-  }
-
   const NearestPlaces& Surface;
   const TriangleMesh& Mesh;
   const IsolineArrangement& Isolines;
@@ -186,14 +158,13 @@ private:
 }
 
 CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
-  const std::vector<char>& isAligned, const MapOfCorners& map, const IsolineArrangement& isolines,
-  const IsolineCells& cells)
+  const LinesOnSurface& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells)
 {
   CellPlacement placement(surface, isolines, cells);
   placement.PlaceAtMeans();
   placement.PlaceAtGridPoints(map);
   placement.PlaceAtSingularities(field.Indices);
-  placement.PlaceOnLines(angles, field, isAligned, map);
+  placement.PlaceOnLines(angles, field, lines, map);
   return placement.Result;
 }
 

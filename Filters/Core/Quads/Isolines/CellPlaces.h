@@ -7,6 +7,7 @@
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
+#include "Quads/Isolines/LinesOnSurface.h"
 #include "Quads/Isolines/SurfacePlace.h"
 
 #include <vector>
@@ -18,7 +19,7 @@ namespace dmg
 enum class Hold
 {
   Free,   ///< it may move over the surface
-  OnLine, ///< on an aligned edge, or on the boundary
+  OnLine, ///< on an aligned edge, along which it may move, or on the boundary
   AtPoint ///< at an end, a branch or a bend of aligned edges
 };
 
@@ -32,11 +33,10 @@ struct CellPlaces
 
 /// A cell lies at its singular vertex, or where both coordinates are integers in it, in a face that the map does not turn over;
 /// along aligned edges where one is an integer. Else it lies at the mean of the crossings around it.
-/// \param isAligned by edge.
+/// \param lines of aligned edges.
 /// Cost: linear.
 CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
-  const std::vector<char>& isAligned, const MapOfCorners& map, const IsolineArrangement& isolines,
-  const IsolineCells& cells);
+  const LinesOnSurface& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells);
 
 /// The place of a face that a position on it has.
 SurfacePlace PlaceInFace(const TriangleMesh& mesh, int face, const Vector3& position);

@@ -58,6 +58,11 @@ std::vector<std::vector<int>> QuadsAround(const IndexedQuads& quads)
   return around;
 }
 
+int CornerOf(const std::array<int, 4>& quad, int vertex)
+{
+  return static_cast<int>(std::find(quad.begin(), quad.end(), vertex) - quad.begin());
+}
+
 /// The mean of the ends of all sides at a vertex.
 Vector3 MeanOfNeighbours(const IndexedQuads& quads, const std::vector<int>& around, int vertex, const Points& positions)
 {
@@ -65,18 +70,58 @@ Vector3 MeanOfNeighbours(const IndexedQuads& quads, const std::vector<int>& arou
   for (const int q : around)
   {
     const auto& corners = quads.Corners[q];
-    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+    const int k = CornerOf(corners, vertex);
     sum += (positions.row(corners[(k + 1) % 4]) + positions.row(corners[(k + 3) % 4])).transpose();
   }
   return sum / (2.0 * around.size());
 }
 
+/// The place of the surface, or of the line that holds a vertex, that is near to a position.
+SurfacePlace PlaceNear(const NearestPlaces& surface, const LinesOnSurface& lines, const CellPlaces& places, int vertex,
+  const Vector3& position)
+{
+  const SurfacePlace& from = places.Places[vertex];
+  if (places.Holds[vertex] == Hold::OnLine)
+  {
+    return lines.From(from, position);
+  }
+  const NearestPlace nearest = surface.From(from.Face, position);
+  return PlaceInFace(surface.Surface.Mesh, nearest.Face, nearest.Position);
+}
+
+/// The square of any size that is nearest to a quad: its corner 0 is at Middle + Half, and the others follow counter-clockwise.
+struct NearestSquare
+{
+  Vector3 Middle, Half, Normal;
+
+  /// \param outside the normal of the surface.
+  NearestSquare(const std::array<Vector3, 4>& corners, const Vector3& outside)
+    : Middle((corners[0] + corners[1] + corners[2] + corners[3]) / 4.0)
+    , Normal((corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized())
+  {
+    if (!(this->Normal.dot(outside) > 0.0)) // folded
+    {
+      this->Normal = outside;
+    }
+    const auto inPlane = [this](const Vector3& way) -> Vector3 { return way - way.dot(this->Normal) * this->Normal; };
+    const Vector3 first = inPlane(corners[0] - corners[2]), second = inPlane(corners[1] - corners[3]);
+    this->Half = (first + second.cross(this->Normal)) / 4.0;
+  }
+
+  Vector3 Corner(int k) const
+  {
+    const Vector3 way = k % 2 == 0 ? this->Half : Vector3(this->Normal.cross(this->Half));
+    return this->Middle + (k < 2 ? 1.0 : -1.0) * way;
+  }
+};
+
 /// A search for places of one vertex after the other at which the worst quad around it is better.
 class Untangling
 {
 public:
-  Untangling(const NearestPlaces& surface, const IndexedQuads& quads, CellPlaces& places)
+  Untangling(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places)
     : Surface(surface)
+    , Lines(lines)
     , Quads(quads)
     , Places(places)
     , Around(QuadsAround(quads))
@@ -95,7 +140,7 @@ public:
       {
         for (const int vertex : this->Quads.Corners[q])
         {
-          hasMoved = (this->Places.Holds[vertex] == Hold::Free && this->Improve(vertex)) || hasMoved;
+          hasMoved = (this->Places.Holds[vertex] != Hold::AtPoint && this->Improve(vertex)) || hasMoved;
         }
       }
     }
@@ -149,11 +194,11 @@ private:
     constexpr double LeastGain = 1e-3;
     const double worst = this->Worst(vertex);
     const Vector3 former = this->Positions.row(vertex).transpose();
-    const NearestPlace nearest = this->Surface.From(this->Places.Places[vertex].Face, position);
-    this->Positions.row(vertex) = nearest.Position.transpose();
+    const SurfacePlace place = PlaceNear(this->Surface, this->Lines, this->Places, vertex, position);
+    this->Positions.row(vertex) = PositionOf(this->Surface.Surface.Mesh, place).transpose();
     if (this->Worst(vertex) > worst + LeastGain)
     {
-      this->Places.Places[vertex] = PlaceInFace(this->Surface.Surface.Mesh, nearest.Face, nearest.Position);
+      this->Places.Places[vertex] = place;
       return true;
     }
     this->Positions.row(vertex) = former.transpose();
@@ -161,6 +206,7 @@ private:
   }
 
   const NearestPlaces& Surface;
+  const LinesOnSurface& Lines;
   const IndexedQuads& Quads;
   CellPlaces& Places;
   const std::vector<std::vector<int>> Around;
@@ -179,37 +225,45 @@ Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, con
   return jacobians;
 }
 
-void SmoothQuads(const NearestPlaces& surface, const IndexedQuads& quads, int steps, CellPlaces& places,
-  const ExecutionContext& context)
+void SmoothQuads(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, int steps,
+  CellPlaces& places, const ExecutionContext& context)
 {
-  constexpr double Part = 0.6; // of the way to the mean
+  const TriangleMesh& mesh = surface.Surface.Mesh;
   const std::vector<std::vector<int>> around = QuadsAround(quads);
   for (int step = 0; step < steps; ++step)
   {
     context.Checkpoint(static_cast<double>(step) / steps);
-    const Points positions = PositionsOf(surface.Surface.Mesh, places);
+    const Points positions = PositionsOf(mesh, places);
+    std::vector<NearestSquare> squares;
+    squares.reserve(quads.Size());
+    for (int q = 0; q < quads.Size(); ++q)
+    {
+      squares.emplace_back(CornersOf(quads.Corners[q], positions), surface.Surface.Faces.Normal(quads.Faces[q]));
+    }
     context.ParallelFor(0, quads.NumberOfVertices(), Grain,
       [&](int begin, int end)
       {
         for (int vertex = begin; vertex < end; ++vertex)
         {
-          if (!around[vertex].empty() && places.Holds[vertex] == Hold::Free)
+          if (!around[vertex].empty() && places.Holds[vertex] != Hold::AtPoint)
           {
-            const Vector3 mean = MeanOfNeighbours(quads, around[vertex], vertex, positions);
-            const Vector3 goal = (1.0 - Part) * positions.row(vertex).transpose() + Part * mean;
-            const NearestPlace nearest = surface.From(places.Places[vertex].Face, goal);
-            places.Places[vertex] = PlaceInFace(surface.Surface.Mesh, nearest.Face, nearest.Position);
+            Vector3 sum = Vector3::Zero();
+            for (const int q : around[vertex])
+            {
+              sum += squares[q].Corner(CornerOf(quads.Corners[q], vertex));
+            }
+            places.Places[vertex] = PlaceNear(surface, lines, places, vertex, sum / around[vertex].size());
           }
         }
       });
   }
 }
 
-void Untangle(
-  const NearestPlaces& surface, const IndexedQuads& quads, CellPlaces& places, const ExecutionContext& context)
+void Untangle(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places,
+  const ExecutionContext& context)
 {
   constexpr int MostSweeps = 8;
-  Untangling untangling(surface, quads, places);
+  Untangling untangling(surface, lines, quads, places);
   for (int sweep = 0; sweep < MostSweeps && untangling.Sweep(); ++sweep)
   {
     context.Checkpoint(static_cast<double>(sweep) / MostSweeps);

@@ -4,6 +4,7 @@
 #include "Constraints/NearestPlaces.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
+#include "Quads/Isolines/LinesOnSurface.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>
@@ -15,13 +16,15 @@ namespace dmg
 /// mean normal of the quad says which sines are positive. 1 for rectangles, not positive for quads that are folded or no longer convex.
 Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, const Points& positions);
 
-/// Moves free vertices towards the mean of their neighbours, and back to the nearest place of the surface near by.
-void SmoothQuads(const NearestPlaces& surface, const IndexedQuads& quads, int steps, CellPlaces& places,
-  const ExecutionContext& context);
+/// Moves vertices towards the corners of the squares that are nearest to the quads around them, and back to the nearest place of the surface,
+/// or of their line, near by. A square is of any size, and turned as its quad is (shape matching; Bouaziz et al. 2012). Quads that are
+/// folded unfold, as squares are counter-clockwise seen from outside.
+void SmoothQuads(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, int steps,
+  CellPlaces& places, const ExecutionContext& context);
 
-/// Moves free vertices of quads that are folded or hardly convex to where the worst quad around them is best, of some places near by.
-void Untangle(
-  const NearestPlaces& surface, const IndexedQuads& quads, CellPlaces& places, const ExecutionContext& context);
+/// Moves vertices of quads that are folded or hardly convex to where the worst quad around them is best, of some places near by.
+void Untangle(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places,
+  const ExecutionContext& context);
 
 }
 
