@@ -201,7 +201,7 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldPr
   this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
   const bool isDiffused = problem.UnitLengthWhileSmoothing && HaveLengths(*this->Discretisation);
   const double solved = isDiffused ? 0.8 : 1.0;
-  // Where singularities balance by symmetry, diffusion makes the least difference of its start large.
+  // Diffusion makes the least difference of its start large where singularities balance by symmetry.
   this->SolveSystem(onElements, problem.Stop, setup, isDiffused, PartOfContext(context, 0.75, solved));
   context.Checkpoint(solved);
   return isDiffused ? this->Diffuse(problem, setup, PartOfContext(context, solved, 1.0)) : this->Solution;
