@@ -4,6 +4,7 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/Preconditioner.h"
 #include "Support/Errors.h"
+#include "Support/MatrixOperator.h"
 
 namespace dmg::peers
 {
@@ -21,7 +22,7 @@ int SolveIteratively(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B, c
   SolveReport report;
   x.resize(0);
   ConjugateGradient(
-    MatrixOperator<Scalar>(A), B, b, { tolerance, LargestNumberOfIterations }, x, report, SerialContext());
+    test::MatrixOperator<Scalar>(A), B, b, { tolerance, LargestNumberOfIterations }, x, report, SerialContext());
   if (!report.Converged)
   {
     throw SolverFailure(report.Warnings.back());

@@ -4,6 +4,7 @@
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,7 @@ struct CyclePreconditioned
   }
 
   const SparseMatrix<Scalar>& A() const { return this->Problem.A; }
-  MatrixOperator<Scalar> Operator() const { return MatrixOperator<Scalar>(this->Problem.A); }
+  test::MatrixOperator<Scalar> Operator() const { return test::MatrixOperator<Scalar>(this->Problem.A); }
   int Size() const { return this->Hierarchy.NumberOfUnknowns(0); }
 
   const test::GridProblem<Scalar> Problem;
@@ -211,7 +212,7 @@ TYPED_TEST(AnyConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConver
     stop.MayEstimate = mayEstimate;
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(MatrixOperator(A), B, b, stop, x, report, SerialContext());
+    ConjugateGradient(test::MatrixOperator(A), B, b, stop, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_LE(measured(x), 0.1);
     ASSERT_EQ(report.Iterations.size(), 3u) << "B A has two eigenvalues";
@@ -219,7 +220,7 @@ TYPED_TEST(AnyConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConver
 
     stop.MaximumIterations = 1;
     x.resize(0);
-    ConjugateGradient(MatrixOperator(A), B, b, stop, x, report, SerialContext());
+    ConjugateGradient(test::MatrixOperator(A), B, b, stop, x, report, SerialContext());
     EXPECT_FALSE(report.Converged);
     EXPECT_EQ(report.Returned, 0);
     EXPECT_EQ(x.norm(), 0.0);
@@ -293,7 +294,7 @@ TYPED_TEST(AnyConjugateGradient, TheLimitLeavesTheBestVector)
   Scaling<TypeParam> identity(1.0);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(MatrixOperator(A), identity, b, { 1e-10, 10000 }, x, report, SerialContext());
+  ConjugateGradient(test::MatrixOperator(A), identity, b, { 1e-10, 10000 }, x, report, SerialContext());
   ASSERT_TRUE(report.Converged);
   double best = 1.0;
   int limit = 0;
@@ -309,7 +310,7 @@ TYPED_TEST(AnyConjugateGradient, TheLimitLeavesTheBestVector)
   ASSERT_GT(limit, 0) << "residuals that only fall test nothing";
 
   x.resize(0);
-  ConjugateGradient(MatrixOperator(A), identity, b, { 1e-10, limit }, x, report, SerialContext());
+  ConjugateGradient(test::MatrixOperator(A), identity, b, { 1e-10, limit }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.back().Iteration, limit);
   EXPECT_EQ(report.Returned, limit - 1);
@@ -344,13 +345,13 @@ TYPED_TEST(AnyConjugateGradient, IndefiniteOperatorsEndWithAWarning)
   Scaling<TypeParam> reflection(-1.0);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(MatrixOperator(negative), identity, b, {}, x, report, SerialContext());
+  ConjugateGradient(test::MatrixOperator(negative), identity, b, {}, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   ASSERT_EQ(report.Warnings.size(), 1u);
   EXPECT_NE(report.Warnings[0].find("matrix is not positive"), std::string::npos);
 
   x.resize(0);
-  ConjugateGradient(MatrixOperator(A), reflection, b, {}, x, report, SerialContext());
+  ConjugateGradient(test::MatrixOperator(A), reflection, b, {}, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   ASSERT_EQ(report.Warnings.size(), 2u);
   EXPECT_NE(report.Warnings[1].find("preconditioner is not positive"), std::string::npos);
@@ -365,10 +366,12 @@ TYPED_TEST(AnyConjugateGradient, NumbersThatAreNotFiniteAreRefused)
   bad[5] = std::numeric_limits<double>::quiet_NaN();
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, bad, {}, x, report, SerialContext()), InvalidInput);
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, bad, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(ConjugateGradient(test::MatrixOperator(A), identity, bad, {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(
+    ConjugateGradient(test::MatrixOperator(A), identity, good, {}, bad, report, SerialContext()), InvalidInput);
   x.setZero(3);
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(
+    ConjugateGradient(test::MatrixOperator(A), identity, good, {}, x, report, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(AnyConjugateGradient, CanBeCancelledAtEveryIteration)

@@ -6,6 +6,7 @@
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>
@@ -99,8 +100,8 @@ TYPED_TEST(AnyConvergenceMeasure, WatchesIterations)
   {
     SolveReport report, unwatched;
     Vector<TypeParam> x, same;
-    solve(MatrixOperator(A), cycle, b, { 1e-12, 50 }, x, report, SerialContext(), &measure);
-    solve(MatrixOperator(A), cycle, b, { 1e-12, 50 }, same, unwatched, SerialContext(), nullptr);
+    solve(test::MatrixOperator(A), cycle, b, { 1e-12, 50 }, x, report, SerialContext(), &measure);
+    solve(test::MatrixOperator(A), cycle, b, { 1e-12, 50 }, same, unwatched, SerialContext(), nullptr);
     EXPECT_EQ(x, same) << "watching must not change what is watched";
     ASSERT_TRUE(report.Converged);
     const IterationReport& first = report.Iterations.front();
@@ -122,7 +123,7 @@ TYPED_TEST(AnyConvergenceMeasure, WatchesIterations)
 
     // A zero right-hand side is solved by zero.
     const Vector<TypeParam> zero = Vector<TypeParam>::Zero(A.rows());
-    solve(MatrixOperator(A), cycle, zero, {}, x, report, SerialContext(), &measure);
+    solve(test::MatrixOperator(A), cycle, zero, {}, x, report, SerialContext(), &measure);
     ASSERT_EQ(report.Iterations.size(), 1u);
     EXPECT_EQ(report.Iterations[0].Energy, 3.0);
     EXPECT_DOUBLE_EQ(report.Iterations[0].Error, 1.0);
@@ -139,7 +140,7 @@ TYPED_TEST(AnyConvergenceMeasure, SizesAreChecked)
   measure.Mass = &mass;
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(problem.A), cycle, Vector<TypeParam>(Vector<TypeParam>::Ones(225)), {},
-                 x, report, SerialContext(), &measure),
+  EXPECT_THROW(ConjugateGradient(test::MatrixOperator(problem.A), cycle,
+                 Vector<TypeParam>(Vector<TypeParam>::Ones(225)), {}, x, report, SerialContext(), &measure),
     InvalidInput);
 }

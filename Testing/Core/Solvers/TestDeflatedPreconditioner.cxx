@@ -3,6 +3,7 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Support/DenseAlgebra.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ struct WeaklyHeld
     this->Inner = 0.5 * (this->Inner + this->Inner.transpose().eval());
   }
 
-  MatrixOperator<double> Operator() const { return MatrixOperator<double>(this->A); }
+  test::MatrixOperator<double> Operator() const { return test::MatrixOperator<double>(this->A); }
 
   SparseMatrix<double> A;
   Eigen::MatrixXd H;
@@ -172,7 +173,7 @@ TEST(DeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
   H.topLeftCorner(40, 2) = block.H;
   const SparseMatrix<double> sparse = A.sparseView();
   DenseOperator B(inner);
-  DeflatedPreconditioner deflated(B, MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
+  DeflatedPreconditioner deflated(B, test::MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
   EXPECT_EQ(deflated.Kernel().Size(), 1);
   const Vector<double> x = test::RandomVector<double>(80, 3307);
   Vector<double> without = x;

@@ -6,6 +6,7 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 #include "Support/TbbContext.h"
 #include "TorusProblem.h"
 
@@ -49,12 +50,12 @@ public:
   void SolveByConjugateGradients(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x,
     SolveReport& report, const ExecutionContext& context)
   {
-    ConjugateGradient<Scalar>(MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
+    ConjugateGradient<Scalar>(test::MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
   }
   void SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
     const ExecutionContext& context)
   {
-    StationaryIteration<Scalar>(MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
+    StationaryIteration<Scalar>(test::MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
   }
   const std::vector<LevelReport>& Levels() const { return this->Cycle.Levels(); }
   long long Bytes() const { return this->Cycle.Bytes(); }

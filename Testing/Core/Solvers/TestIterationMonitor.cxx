@@ -1,5 +1,6 @@
 #include "Solvers/Krylov/IterationMonitor.h"
 
+#include "Support/MatrixOperator.h"
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -40,7 +41,7 @@ protected:
   }
 
   SparseMatrix<double> A{ 1, 1 };
-  const MatrixOperator<double> Matrix{ this->A };
+  const test::MatrixOperator<double> Matrix{ this->A };
   const Vector<double> b = Vector<double>::Ones(1);
   SerialContext Context;
   Scaling B;

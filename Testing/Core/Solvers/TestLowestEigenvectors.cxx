@@ -1,6 +1,7 @@
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
 #include "Support/DenseAlgebra.h"
+#include "Support/MatrixOperator.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/LU>
@@ -77,7 +78,7 @@ TEST(LowestEigenvectors, ChainsOfSpringsHaveSines)
 {
   const std::vector<int> lengths{ 50, 1, 20, 300 };
   const SparseMatrix<double> A = Chains(lengths);
-  const MatrixOperator<double> matrix(A);
+  const test::MatrixOperator<double> matrix(A);
   // Far from the inverse: no more than its diagonal and a shift of the spectrum.
   DenseInverse inverse(test::Inverse<double>(Eigen::MatrixXd(A) + 0.01 * Eigen::MatrixXd::Identity(371, 371)));
   const Vector<double> mass = Vector<double>::Constant(371, 3.0);
@@ -108,7 +109,7 @@ TEST(LowestEigenvectors, DependOnTheStartAlone)
 {
   const std::vector<int> lengths{ 4000, 9000 };
   const SparseMatrix<double> A = Chains(lengths);
-  const MatrixOperator<double> matrix(A);
+  const test::MatrixOperator<double> matrix(A);
   class Diagonal : public Preconditioner<double>
   {
     void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override { z = 0.5 * r; }
@@ -158,7 +159,7 @@ TEST(LowestEigenvectors, PartsThatAreSolvedStayNormal)
     A.col(i) *= 0.0;
     A.coeffRef(i, i) = 0.5 * mass[i];
   }
-  const MatrixOperator<double> matrix(A);
+  const test::MatrixOperator<double> matrix(A);
   class Diagonal : public Preconditioner<double>
   {
   public:
@@ -218,7 +219,7 @@ TEST(LowestEigenvectors, ManyPartsWithCloseEigenvaluesCostWhatOneDoes)
       A.coeffRef(end, end - 1) = -1e-7;
     }
     A.makeCompressed();
-    const MatrixOperator<double> matrix(A);
+    const test::MatrixOperator<double> matrix(A);
     Counted inverse(Vector<double>::Constant(A.rows(), 0.5));
     const Vector<double> mass = Vector<double>::Ones(A.rows());
     const SortedItems parts = PartsOf(std::vector<int>(numberOfParts, 2 * Half));

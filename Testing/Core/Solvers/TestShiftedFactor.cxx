@@ -3,6 +3,7 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 #include "Support/Random.h"
 
 #include <Eigen/Dense>
@@ -136,7 +137,7 @@ TYPED_TEST(AnyShiftedFactor, ASingularMatrixIsSolvedWithoutItsKernel)
   const Vector<TypeParam> b = A * any;
   ShiftedFactor<TypeParam> factor(A);
   Vector<TypeParam> x;
-  const SolveReport report = Solve<TypeParam>(MatrixOperator<TypeParam>(A), factor, b, 1e-10, x);
+  const SolveReport report = Solve<TypeParam>(test::MatrixOperator<TypeParam>(A), factor, b, 1e-10, x);
   EXPECT_LE(IterationsOf(report), 3);
   // The least solution: all diagonal entries are equal, so what x has of the kernel is nothing.
   Vector<TypeParam> expected = any;

@@ -4,6 +4,7 @@
 #include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/MatrixOperator.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ TYPED_TEST(AnyStationaryIteration, CyclesAgreeWithCholesky)
     MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
     SolveReport report;
     Vector<TypeParam> x;
-    StationaryIteration(MatrixOperator(A), cycle, b, { 1e-12, 100 }, x, report, SerialContext());
+    StationaryIteration(test::MatrixOperator(A), cycle, b, { 1e-12, 100 }, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_LE((b - A * x).norm(), 1.001e-12 * b.norm());
     EXPECT_LE((x - expected).norm(), 1e-12 * (b.norm() / 1.2e-3 + expected.norm()));
@@ -72,7 +73,7 @@ TYPED_TEST(AnyStationaryIteration, RichardsonContractsAsComputedByHand)
   Scaling<TypeParam> half(0.5);
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(MatrixOperator(A), half, b, { 1e-3, 100 }, x, report, SerialContext());
+  StationaryIteration(test::MatrixOperator(A), half, b, { 1e-3, 100 }, x, report, SerialContext());
   for (const IterationReport& row : report.Iterations)
   {
     const double rest = std::pow(0.5, row.Iteration); // r = (rest, 0), x = (1 - rest, 1/2)
@@ -90,7 +91,7 @@ TYPED_TEST(AnyStationaryIteration, DivergenceLeavesTheBestVector)
   Scaling<TypeParam> tooFar(1.0); // eigenvalues of B A up to 8
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(MatrixOperator(A), tooFar, b, { 1e-8, 100 }, x, report, SerialContext());
+  StationaryIteration(test::MatrixOperator(A), tooFar, b, { 1e-8, 100 }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.back().Iteration, 10);
   EXPECT_EQ(x.norm(), 0.0) << "the start was the best";
@@ -106,7 +107,7 @@ TYPED_TEST(AnyStationaryIteration, EndsAtItsLimitAtZeroAndWhenAsked)
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3203);
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(MatrixOperator(A), cycle, b, { 1e-12, 3 }, x, report, SerialContext());
+  StationaryIteration(test::MatrixOperator(A), cycle, b, { 1e-12, 3 }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.size(), 4u);
   EXPECT_EQ(report.Returned, 3);
@@ -118,12 +119,12 @@ TYPED_TEST(AnyStationaryIteration, EndsAtItsLimitAtZeroAndWhenAsked)
   EXPECT_GE(report.Iterations.back().RelativeResidual, 0.5 * truth);
 
   const Vector<TypeParam> zero = Vector<TypeParam>::Zero(A.rows());
-  StationaryIteration(MatrixOperator(A), cycle, zero, {}, x, report, SerialContext());
+  StationaryIteration(test::MatrixOperator(A), cycle, zero, {}, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   EXPECT_EQ(x, zero);
 
   test::TbbContext context(2);
   context.CancelAfter(3);
   x.resize(0);
-  EXPECT_THROW(StationaryIteration(MatrixOperator(A), cycle, b, {}, x, report, context), Cancelled);
+  EXPECT_THROW(StationaryIteration(test::MatrixOperator(A), cycle, b, {}, x, report, context), Cancelled);
 }

@@ -25,22 +25,6 @@ public:
   virtual const Vector<double>* InverseDiagonal() const { return nullptr; }
 };
 
-/// A sparse matrix as operator.
-template <class Scalar>
-class MatrixOperator : public LinearOperator<Scalar>
-{
-public:
-  /// \param matrix is borrowed: it must stay where it is.
-  /// \throw InvalidInput it is not square.
-  explicit MatrixOperator(const SparseMatrix<Scalar>& matrix);
-
-  int Size() const override { return static_cast<int>(this->A.rows()); }
-  double Apply(const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const override;
-
-private:
-  const SparseMatrix<Scalar>& A;
-};
-
 }
 
 #endif
