@@ -3,17 +3,23 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Output/TransportToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldGlyphs.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 
@@ -58,6 +64,7 @@ dmg::Constraints SourcesFromArray(
 vtkParallelTransport::vtkParallelTransport()
   : Internals(new vtkInternals)
 {
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -76,13 +83,21 @@ int vtkParallelTransport::GetNumberOfSolves() const
 }
 
 //------------------------------------------------------------------------------
+int vtkParallelTransport::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkParallelTransport::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 } });
+    dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 },
+      { "Arrow Distance", this->ArrowDistance, 0.0005, 1 }, { "Number Of Circles", this->NumberOfCircles, 0, 1000 } });
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::TransportSurface& surface = this->Internals->Surface;
@@ -114,16 +129,28 @@ int vtkParallelTransport::RequestData(
       }
       if (this->LogarithmicMap)
       {
-        for (const std::string& text :
-          surface.AddMap(point, this->TextureSize, input, output, dmg::PartOfContext(context, 0.2, 0.8)))
+        for (const std::string& text : surface.AddMap(point, this->TextureSize, this->NumberOfCircles, input, output,
+               vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.2, 0.7)))
         {
           warn(text);
         }
       }
     }
-    for (const std::string& text : surface.AddVectors(sources, input, output, dmg::PartOfContext(context, 0.8, 1.0)))
+    for (const std::string& text : surface.AddVectors(sources, input, output, dmg::PartOfContext(context, 0.7, 0.9)))
     {
       warn(text);
+    }
+    // A copy: the pipeline of the glyphs writes into the data what was asked for.
+    const auto carried = vtk::TakeSmartPointer(output->NewInstance());
+    carried->ShallowCopy(output);
+    vtkNew<vtkFieldGlyphs> arrows;
+    arrows->SetInputData(carried);
+    arrows->SetInputArrayToProcess(
+      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, dmg::ArrayNames::TransportedVectors);
+    arrows->SetSeparatingDistance(this->ArrowDistance);
+    if (dmg::UpdateInside(this, arrows, dmg::PartOfContext(context, 0.9, 1.0)))
+    {
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(arrows->GetOutput());
     }
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
@@ -138,5 +165,7 @@ void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AddPoint: " << (this->AddPoint ? "On" : "Off") << "\n";
   os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";
   os << indent << "TextureSize: " << this->TextureSize << "\n";
+  os << indent << "ArrowDistance: " << this->ArrowDistance << "\n";
+  os << indent << "NumberOfCircles: " << this->NumberOfCircles << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
 }

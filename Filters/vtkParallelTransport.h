@@ -29,6 +29,10 @@
  * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
  * | PositiveSide       | field data    | 1          | as of vtkHodgeDecomposition                                                   |
  *
+ * Port 1, the arrows: vtkPolyData, the output of vtkFieldGlyphs for TransportedVectors, at ArrowDistance.
+ *
+ * Port 2, the circles: vtkPolyData, lines of NumberOfCircles distances, evenly spaced, with the point array GeodesicDistance.
+ *
  * Distances go around holes. Components of the surface without a source have zero vectors, and those without the map's point NaN; a warning
  * counts their points. So have points of no cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle
  * across such a place shows the whole texture; take it away with Threshold of GeodesicDistance.
@@ -102,6 +106,23 @@ public:
 
   ///@{
   /**
+   * The distance between the arrows of port 1, relative to the surface's size (vtkFieldGlyphs::SeparatingDistance). Default 0.04, range
+   * 0.0005 to 1.
+   */
+  vtkSetMacro(ArrowDistance, double);
+  vtkGetMacro(ArrowDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The number of distances that have lines on port 2. Default 20, range 0 (none) to 1000.
+   */
+  vtkSetMacro(NumberOfCircles, int);
+  vtkGetMacro(NumberOfCircles, int);
+  ///@}
+
+  ///@{
+  /**
    * The time of the diffusion as a multiple of the mean squared edge length. With more, heat takes ways beside the shortest one, and vectors
    * blend over a wider band between two sources. With less, the edges of the mesh bend its way. Default 2, range 0.01 to 1000.
    */
@@ -124,6 +145,7 @@ protected:
   vtkParallelTransport();
   ~vtkParallelTransport() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -133,6 +155,8 @@ private:
   bool AddPoint = false;
   bool LogarithmicMap = true;
   double TextureSize = 0.0;
+  double ArrowDistance = 0.04;
+  int NumberOfCircles = 20;
   double TimeStep = 2.0;
 
   class vtkInternals;

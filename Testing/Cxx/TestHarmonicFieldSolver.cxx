@@ -4,6 +4,7 @@
 
 #include "vtkDirectionalProlongation.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
 
@@ -365,4 +366,33 @@ TEST(HarmonicFieldSolver, PieceZeroHoldsTheWholeAndTheOthersNothing)
   solver->UpdatePiece(1, 2, 0);
   ExpectEmpty(solver);
   EXPECT_EQ(prolongation->GetNumberOfSetups(), 0);
+}
+
+// The pipeline asks for an empty image again and again, since it has no extent.
+TEST(HarmonicFieldSolver, TellsOnceWhyItFailsOnAnImage)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 5, 1);
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->SetInputData(image);
+  solver->SetNumberOfDirections(99);
+  const auto errorsOfUpdates = [&solver]
+  {
+    const Messages messages(solver);
+    for (const int port : { 0, 1, 2, 3, 0 })
+    {
+      solver->Update(port);
+    }
+    EXPECT_NE(messages.Error().find("Number Of Directions"), std::string::npos);
+    return std::count_if(messages.GetErrors().begin(), messages.GetErrors().end(),
+      [](const std::string& text) { return text.find("Number Of Directions") != std::string::npos; });
+  };
+  EXPECT_EQ(errorsOfUpdates(), 1);
+  solver->SetNumberOfDirections(98);
+  EXPECT_EQ(errorsOfUpdates(), 1) << "another error, or the same one after a change, is told";
+  solver->SetNumberOfDirections(4);
+  const Messages messages(solver);
+  solver->Update();
+  EXPECT_TRUE(messages.GetErrors().empty());
+  EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 16);
 }

@@ -24,6 +24,17 @@ def main():
     assert arrays.GetTCoords().GetName() == "TextureCoordinates"
     assert array(arrays, "TextureCoordinates").min() >= 0 and array(arrays, "TextureCoordinates").max() <= 1
 
+    # Arrows are a drawing of what is carried; circles have one distance each, 20 in all.
+    arrows, circles = (simple.servermanager.Fetch(carried, idx=port) for port in (1, 2))
+    assert arrows.GetNumberOfCells() > 50 and arrows.GetCellData().HasArray("Magnitude")
+    of_circles = array(circles.GetPointData(), "GeodesicDistance")
+    assert len(np.unique(np.round(of_circles, 9))) == 20
+    assert np.abs(np.linalg.norm(vtk_to_numpy(circles.GetPoints().GetData()), axis=1) - of_circles).max() < 0.02  # linear on triangles
+    carried.ArrowDistance, carried.NumberOfCircles = 0.1, 3
+    fewer, circles = (simple.servermanager.Fetch(carried, idx=port) for port in (1, 2))
+    assert 3 < arrows.GetNumberOfCells() / fewer.GetNumberOfCells() < 10
+    assert len(np.unique(np.round(array(circles.GetPointData(), "GeodesicDistance"), 9))) == 3
+
     carried.Point = [-0.5, -0.5, 3]
     carried.Direction = [0, 2, 0]
     carried.TextureSize = 2

@@ -1,5 +1,6 @@
 #include "Adapters/Output/FlowToArrays.h"
 
+#include "Adapters/Output/ContoursToPolyData.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Drawing/ContourLines.h"
@@ -118,34 +119,14 @@ Points LiftedVertices(const FramedMesh& surface, double lift)
 void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const SidesOfSurface& sides,
   const FlowOptions& options, vtkPolyData* output, const ExecutionContext& context)
 {
-  const std::vector<double> values = EvenValues(psi, options.NumberOfContours);
+  std::vector<double> values = EvenValues(psi, options.NumberOfContours);
   const ContourLines lines =
     FindContourLines(surface.Mesh, LiftedVertices(surface, options.Lift), psi, values, sides, context);
-  if (lines.Order.empty())
+  for (double& value : values)
   {
-    return;
+    value *= options.LengthScale;
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(lines.Positions.rows());
-  std::copy_n(lines.Positions.data(), lines.Positions.size(), static_cast<double*>(points->GetVoidPointer(0)));
-  const auto ids = [](const std::vector<int>& numbers)
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
-    std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
-    return vtkSmartPointer<vtkIdTypeArray>(array);
-  };
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(ids(lines.Offsets), ids(lines.Order));
-  const auto ofPoints = NewArray(StreamFunction, 1, lines.Positions.rows());
-  for (std::size_t k = 0; k < lines.Values.size(); ++k)
-  {
-    ofPoints->SetValue(static_cast<vtkIdType>(k), options.LengthScale * values[lines.Values[k]]);
-  }
-  output->SetPoints(points);
-  output->SetLines(cells);
-  output->GetPointData()->AddArray(ofPoints); // not active: in its colours no line would show on the surface
+  ContoursToPolyData(lines, StreamFunction, values, output);
 }
 
 /// \throw InvalidInput there is none of this number.

@@ -1,5 +1,6 @@
 #include "Adapters/Output/TransportToArrays.h"
 
+#include "Adapters/Output/ContoursToPolyData.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
@@ -10,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <cmath>
 #include <limits>
@@ -105,8 +107,32 @@ std::vector<std::string> TransportSurface::AddVectors(
   return field.Warnings;
 }
 
-std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, double textureSize, vtkDataSet* input,
-  vtkDataSet* output, const ExecutionContext& context)
+namespace
+{
+
+/// Distances that are not known become negative ones.
+Vector<double> KnownDistances(const Vector<double>& distances)
+{
+  return distances.array().isNaN().select(-1.0, distances);
+}
+
+/// Makes \p output the lines of \p number distances, evenly spaced up to the largest one.
+void MakeCircles(const TriangleMesh& mesh, const Vector<double>& distances, int number, const SidesOfSurface& sides,
+  vtkPolyData* output, const ExecutionContext& context)
+{
+  std::vector<double> values;
+  for (int k = 0; k < number; ++k)
+  {
+    values.push_back((k + 0.5) * distances.maxCoeff() / number);
+  }
+  const ContourLines lines = FindContourLines(mesh, mesh.VertexPositions(), distances, values, sides, context);
+  ContoursToPolyData(lines, GeodesicDistance, values, output);
+}
+
+}
+
+std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles,
+  vtkDataSet* input, vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context)
 {
   const FramedMesh& on = this->Prepared->Geometry;
   const dmg::LogarithmicMap map =
@@ -114,8 +140,7 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   const ArraysOfPoints arrays(
     this->Prepared->Relation, input, output->GetPointData(), context, std::numeric_limits<double>::quiet_NaN());
   const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
-  const double size =
-    textureSize > 0.0 ? textureSize : 2.0 * map.Distances.array().isNaN().select(0.0, map.Distances).maxCoeff();
+  const double size = textureSize > 0.0 ? textureSize : 2.0 * KnownDistances(map.Distances).maxCoeff();
   const Vector<double> inTexture =
     0.5 + Eigen::Map<const Vector<double>>(coordinates, 2 * map.Coordinates.size()).array() / size;
   const Vector<double> degrees = map.Angles * (180.0 / Pi);
@@ -133,6 +158,7 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   point->SetValue(0, static_cast<double>(this->Prepared->Relation.PointOf(from.Vertex)));
   output->GetFieldData()->AddArray(point);
   AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
+  MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
   return map.Warnings;
 }
 
