@@ -11,6 +11,8 @@ import sys
 import unittest
 from xml.etree import ElementTree
 
+from vtkmodules.vtkIOImage import vtkImageReader2Factory
+
 PAGES, XML = map(pathlib.Path, sys.argv[1:3])
 del sys.argv[1:]
 
@@ -41,6 +43,15 @@ class HelpPages(unittest.TestCase):
                     self.assertIn(f"<th>{child.get('label')}</th>", text, proxy.get("name"))
             for exposed in proxy.findall("ExposedProperties/Property"):
                 self.assertRegex(text, f"<(th|i)>{exposed.get('exposed_name')}</(th|i)>", proxy.get("name"))
+
+    def test_pictures_have_the_size_that_they_are_shown_in(self):
+        """The window would scale them roughly."""
+        for path in PAGES.glob("*.html"):
+            for name, *shown in re.findall(r'<img src="([^"]+)" width="(\d+)" height="(\d+)"', path.read_text()):
+                reader = vtkImageReader2Factory.CreateImageReader2(str(PAGES / name))
+                reader.SetFileName(str(PAGES / name))
+                reader.Update()
+                self.assertEqual(reader.GetOutput().GetDimensions()[:2], tuple(map(int, shown)), f"{path.name}: {name}")
 
     def test_links(self):
         for path in [*PAGES.glob("*.html"), *PAGES.glob("*.md")]:

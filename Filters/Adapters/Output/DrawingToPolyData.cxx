@@ -221,7 +221,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   {
     return;
   }
-  constexpr int Resolution = 16;
+  constexpr int Resolution = 24;
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(radius);
   sphere->SetThetaResolution(Resolution);

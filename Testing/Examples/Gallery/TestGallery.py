@@ -281,6 +281,26 @@ def check_unit_length(result):
     assert spreads[0] > 0.3 and spreads[1] < 0.15, spreads
 
 
+def check_decal(result):
+    """The middle of the image is at the point, and lengths on the image are those on the surface, across the decal."""
+    data = fetch(result)
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    places = 1.1 * (vtk_to_numpy(data.GetPointData().GetArray("TextureCoordinates")) - 0.5)
+    assert np.abs(places[int(field_data(data, "MapPoint"))]).max() < 1e-9
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    triangles = triangles[(np.linalg.norm(places[triangles], axis=2) < 0.45).all(axis=1)]
+    ratios = [np.linalg.norm(places[triangles[:, a]] - places[triangles[:, b]], axis=1)
+              / np.linalg.norm(points[triangles[:, a]] - points[triangles[:, b]], axis=1) for a, b in ((0, 1), (1, 2), (2, 0))]
+    assert len(triangles) > 300 and 0.9 < np.median(ratios) < 1.1 and np.percentile(ratios, 95) < 1.4, np.percentile(ratios, [5, 50, 95])
+
+
+def check_shell(result):
+    """Lines lie in the surface, which is seen from both sides."""
+    lines = simple.servermanager.Fetch(result, idx=1)
+    surface = vtk_to_numpy(fetch(result).GetPoints().GetData())
+    assert lines.GetNumberOfCells() > 50 and np.allclose(lines.GetBounds(), [f(surface[:, k]) for k in range(3) for f in (np.min, np.max)], atol=0.1)
+
+
 def check_hatching(result):
     """The drawing is made of lines, as many as there are, and lighter where the light is: above."""
     hatching, outline, drawing = result

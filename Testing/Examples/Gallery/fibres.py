@@ -34,7 +34,9 @@ def main():
         angles = FieldAngles(Input=field, ReferenceVectors=["POINTS", "Around"])
         layers.append(angles)
         show_surface(half(CellDatatoPointData(Input=angles), side), view, "Angle", Ambient=0.4, Diffuse=0.75)
-        show(half(lines_along(field, 0.013), side), view, BLUE)
+        lines = Clip(Input=lines_along(field, 0.013), ClipType="Plane", Invert=0)  # without the tip, where all meet
+        lines.ClipType.Origin, lines.ClipType.Normal = [0, 0, -0.94 * depth], [0, 0, 1]
+        show(half(lines, side), view, BLUE)
     GetColorTransferFunction("Angle").RGBPoints = [-60, 0.6, 0.72, 0.9, 0, 1, 0.97, 0.9, 60, 0.92, 0.6, 0.5]
     save(view, "fibres", 1.2)
     return layers

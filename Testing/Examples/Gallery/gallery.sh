@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean organ_flow carried way_in quads quad_way unit_length three_fields hatching convergence)
+    moving_guides levels ocean organ_flow carried decal shell way_in quads quad_way unit_length three_fields hatching convergence)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()
@@ -39,4 +39,9 @@ for picture in *.png; do # 1200 pixels wide, in true colour, at most 390 KB
   esac
   convert "$picture" -trim -resize 1200x -bordercolor white -border 12x12 +repage -strip -define jpeg:extent=390KB "$target"
 done
+# The help scales pictures roughly: its pages show smaller ones, NAME_WIDTH, as they are.
+grep -oh 'src="[a-z_]*_[0-9]*\.[a-z]*" width="[0-9]*" height="[0-9]*"' "$pictures"/*.html | sort -u | tr -c 'a-z0-9_.\n' ' ' |
+  while read -r _ small _ width _ height; do
+    convert "$pictures/${small/_$width/}" -resize "${width}x${height}!" -strip -quality 88 "$pictures/$small"
+  done
 ls -l "$pictures"

@@ -55,15 +55,15 @@ class Paper:
         return joined.GetOutput()
 
 
-def strokes(lines, is_drawn):
-    """The parts of lines whose points are all drawn, as arrays of points."""
+def strokes(lines, is_drawn, shortest):
+    """The parts of lines whose points are all drawn, as arrays of points, without crumbs."""
     places = vtk_to_numpy(lines.GetPoints().GetData()).astype(float)
     for line in range(lines.GetNumberOfCells()):
         ids = lines.GetCell(line).GetPointIds()
         points = places[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
         drawn = np.array([is_drawn(line, place) for place in points])
         for part in np.split(np.arange(len(points)), np.flatnonzero(np.diff(drawn)) + 1):
-            if drawn[part[0]] and len(part) > 1:
+            if drawn[part[0]] and np.linalg.norm(np.diff(points[part], axis=0), axis=1).sum() > shortest:
                 yield points[part]
 
 
@@ -100,8 +100,8 @@ def main():
     lines = servermanager.Fetch(FieldLines(Input=field, SeparatingDistance=0.009, Lift=0))
     paper = Paper(servermanager.Fetch(field))
     branches = vtk_to_numpy(lines.GetCellData().GetArray("Branch"))
-    hatching = on_paper(strokes(lines, lambda line, at: paper.light(at) < TONES[branches[line]] and paper.is_seen(at)))
-    outline = on_paper(strokes(paper.outline(), lambda line, at: paper.is_seen(at)))
+    hatching = on_paper(strokes(lines, lambda line, at: paper.light(at) < TONES[branches[line]] and paper.is_seen(at), 0.02 * paper.size))
+    outline = on_paper(strokes(paper.outline(), lambda line, at: paper.is_seen(at), 0.02 * paper.size))
     view = view_from([0, 0, 1], [1200, 1000])
     for data, width in ((hatching, 2), (outline, 4)):
         show(source(data), view, [0.1, 0.1, 0.14], Representation="Wireframe", LineWidth=width, Ambient=1, Diffuse=0)

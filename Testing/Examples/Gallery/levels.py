@@ -16,7 +16,7 @@ def main():
     view = view_from([0, 0.15, 1], [900, 640])
     for k, surface in enumerate(surfaces):
         show(source(surface), view, IVORY, Representation="Surface With Edges", EdgeColor=BLUE, Ambient=0.2,
-             Position=[2.8 * (k % 2), -1.9 * (k // 2), 0])
+             Position=[3 * (k % 2), -2.2 * (k // 2), 0])
     save(view, "levels", 1.3)
     return surfaces
 

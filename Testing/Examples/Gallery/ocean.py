@@ -18,7 +18,7 @@ def wind(points):
 
 
 def main():
-    sea = surfaces.ocean()
+    sea = surfaces.ocean(0.022)
     points, _ = surfaces.triangles_of(sea)
     for name, values in zip(("Eastward", "Northward"), wind(points)):
         array = numpy_to_vtk(values, deep=True)
@@ -28,8 +28,14 @@ def main():
                                NumberOfContours=24, LengthScale=6371000)
     view = view_from([0.9, -0.75, 0.3], [900, 800], up=(0, 0, 1))
     show(parts, view, "StreamFunction", Ambient=0.6, Diffuse=0.4)
-    values = servermanager.Fetch(parts).GetPointData().GetArray("StreamFunction").GetRange()
-    GetColorTransferFunction("StreamFunction").RGBPoints = [values[0], 0.35, 0.55, 0.8, 0.5 * sum(values), *IVORY, values[1], 0.9, 0.5, 0.4]
+    largest = max(map(abs, servermanager.Fetch(parts).GetPointData().GetArray("StreamFunction").GetRange()))
+    GetColorTransferFunction("StreamFunction").RGBPoints = [-largest, 0.35, 0.55, 0.8, 0, *IVORY, largest, 0.9, 0.5, 0.4]
+    bar = GetScalarBar(GetColorTransferFunction("StreamFunction"), view)
+    bar.Title, bar.ComponentTitle, bar.Visibility = "Stream function, m\u00b2/s", "", 1
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.TitleFontSize = bar.LabelFontSize = 20
+    bar.WindowLocation, bar.ScalarBarLength, bar.ScalarBarThickness = "Lower Right Corner", 0.3, 16
+    bar.LabelFormat = bar.RangeLabelFormat = "%-#6.1e"
     show(Tube(Input=OutputPort(parts, 1), Radius=0.005), view, BLUE, Ambient=1, Diffuse=0)
     show(Sphere(Radius=0.985, ThetaResolution=120, PhiResolution=120), view, [0.72, 0.68, 0.55], Ambient=1, Diffuse=0)
     save(view, "ocean", 1.35)

@@ -51,9 +51,10 @@ def colour_by_size(name, largest):
     GetColorTransferFunction(name).RGBPoints = [0, 0.62, 0.74, 0.9, 0.5 * largest, 1, 0.97, 0.88, largest, 0.93, 0.55, 0.42]
 
 
-def lines_along(field, distance, width=0.0011):
-    """Evenly spaced lines as tubes of one width, without short ones. Distance and width are relative to the size of the field's surface."""
-    lines = FieldLines(Input=field, SeparatingDistance=distance, MinimumLength=8, Lift=0.7 * width)
+def lines_along(field, distance, width=0.0011, shortest=8, heads=1):
+    """Evenly spaced lines as tubes of one width, without short ones. Distance and width are relative to the size of the field's surface,
+    and the shortest line to the distance."""
+    lines = FieldLines(Input=field, SeparatingDistance=distance, MinimumLength=shortest, Lift=0.7 * width, ArrowHeads=heads)
     return Tube(Input=lines, Radius=width * size_of(field), NumberofSides=8)
 
 
@@ -62,8 +63,8 @@ def glyphs_on(data, **properties):
     return FieldGlyphs(Input=data, Lift=0.001, **properties)
 
 
-def show_lines(field, view, distance, colour=BLUE, **properties):
-    return show(lines_along(field, distance), view, colour, **properties)
+def show_lines(field, view, distance, colour=BLUE, shortest=8, heads=1, **properties):
+    return show(lines_along(field, distance, shortest=shortest, heads=heads), view, colour, **properties)
 
 
 def along(line):

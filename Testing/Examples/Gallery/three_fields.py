@@ -2,7 +2,8 @@
 
 Solves for a cross field (power field), a face field and a 1-form that follow the same three arrows, and leaves
 power_field.png, face_field.png and one_form.png in the current folder: the pictures of the README and of the help. Lines
-follow the field; the colour of the surface is its magnitude, from 0 (blue) to 1 (red), that of the arrows.
+follow the field; the colour of the surface is its magnitude, from 0 (blue) to 1 (red), that of the arrows. The 1-form shows as what it
+is: the integral along each edge, here of a coarser mesh.
 """
 
 import sys
@@ -16,13 +17,26 @@ FIELDS = {"power_field": dict(Discretisation="Power Field at Points", NumberOfDi
           "one_form": dict(Discretisation="1-Form")}
 
 
+def show_integrals(form, view):
+    """The edges of a coarse mesh, in the colours of their integrals."""
+    sizes = Calculator(Input=OutputPort(form, 1), AttributeType="Cell Data", ResultArrayName="Integral", Function="abs(OneForm)")
+    sizes.UpdatePipeline()
+    ColorBy(show(Tube(Input=sizes, Radius=0.022), view, BLUE), ("CELLS", "Integral"))
+    largest = sizes.CellData["Integral"].GetRange()[1]
+    GetColorTransferFunction("Integral").RGBPoints = [0, 0.93, 0.9, 0.86, 0.2 * largest, 0.45, 0.6, 0.8, 0.5 * largest, *RED]
+
+
 def draw(field, strokes, name):
     view = view_from([0.35, 0.3, 1], [900, 630])
-    magnitude = Calculator(Input=field, ResultArrayName="Magnitude", Function="mag(Direction0)")
-    show_surface(magnitude, view, "Magnitude", Ambient=0.3, Diffuse=0.8)
-    colour_by_size("Magnitude", 1)
-    show_lines(field, view, 0.025)
-    if name != "power_field":
+    if name == "one_form":
+        show_surface(field, view, Ambient=0.3, Diffuse=0.8)
+        show_integrals(field, view)
+    else:
+        magnitude = Calculator(Input=field, ResultArrayName="Magnitude", Function="mag(Direction0)")
+        show_surface(magnitude, view, "Magnitude", Ambient=0.3, Diffuse=0.8)
+        colour_by_size("Magnitude", 1)
+        show_lines(field, view, 0.025, heads=0)
+    if name == "face_field":
         show(glyphs_on(field, SeparatingDistance=0.05), view, BLUE)
     for stroke in strokes:
         show_arrow(stroke, view, 0.5, Position=[0, 0, 0.05])
@@ -37,8 +51,9 @@ def main(path, subdivisions=2):
     strokes = [Line(Point1=start, Point2=end) for start, end in STROKES]
     fields = {name: HarmonicFieldSolver(Input=surface, Guides=strokes, ConstraintType="Hard", UnitLength=0, **properties)
               for name, properties in FIELDS.items()}
+    coarse = HarmonicFieldSolver(Input=open_surface(path), Guides=strokes, ConstraintType="Hard", UnitLength=0, Discretisation="1-Form")
     for name, field in fields.items():
-        draw(field, strokes, name)
+        draw(coarse if name == "one_form" else field, strokes, name)
     return fields
 
 

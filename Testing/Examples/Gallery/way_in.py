@@ -76,7 +76,7 @@ def main():
     globe = earth()
     sphere = HarmonicFieldSolver(Input=source(globe))
     show(sphere, view, IVORY, Representation="Surface With Edges", EdgeColor=[0.8, 0.78, 0.74], Ambient=0.15)
-    show(lines_along(sphere, 0.03, 0.0016), view, BLUE)
+    show(lines_along(sphere, 0.03, 0.0016, shortest=12), view, BLUE)
     show(Tube(Input=source(seam(globe)), Radius=0.15), view, RED)
     save(view, "way_in", 1.35)
     return plate, sphere
