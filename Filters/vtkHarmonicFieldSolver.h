@@ -46,7 +46,7 @@
  * tangential part counts, and its length is the magnitude. Nothing is followed that was not chosen. "Active Vectors" are those
  * of the points, else of the cells, but for Direction0.
  *
- * Directions of the surface may also be symmetric tensors of 6 (XX YY ZZ XY YZ XZ) or 9 components, for power fields of an even N,
+ * Directions of the surface may be tensors of 6 (XX YY ZZ XY YZ XZ) or 9 components (their symmetric parts), for power fields of an even N,
  * or vectors of 2 components in a plane of constant z. What is not finite, zero in the mask or perpendicular to the surface is left
  * out, and a warning counts it.
  *

@@ -2,11 +2,13 @@
 
 #include "Adapters/Input/FlowFromArrays.h"
 #include "Adapters/Input/FlowFromEdges.h"
+#include "Adapters/Input/OpenBoundary.h"
 #include "Adapters/Output/FlowToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/FlatMap.h"
+#include "Adapters/Surface/GlobeLayout.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Flows/PeriodicSurfaces.h"
@@ -116,18 +118,26 @@ int vtkHodgeDecomposition::RequestData(
     {
       chosen.emplace(this, inSpace, dmg::Vector3(isMap ? DefaultAxis : this->Axis), isMap);
     }
-    const vtkSmartPointer<vtkDataSet> withFlow = chosen ? chosen->WithFlow(inSpace) : inSpace;
     const bool isGlobe = isMap || (chosen && chosen->IsOnGlobe());
+    const dmg::Vector3 axis(isMap ? DefaultAxis : this->Axis);
+    std::optional<dmg::GlobeLayout> layout;
+    if (isGlobe)
+    {
+      layout.emplace(inSpace, axis);
+    }
+    const vtkSmartPointer<vtkDataSet> laidOut = layout ? layout->Globe() : inSpace.Get();
+    const vtkSmartPointer<vtkDataSet> withFlow = chosen ? chosen->WithFlow(laidOut) : laidOut;
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& surface = this->Internals->Surface;
-    surface.SetSurface(withFlow, preparation,
-      this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options, isGlobe,
-      dmg::PartOfContext(context, 0.0, 0.1));
+    surface.SetSurface(withFlow, preparation, options, isGlobe, dmg::PartOfContext(context, 0.0, 0.1));
+    const std::vector<char> isOpen = dmg::OpenEdgesOf(dmg::ChoiceOf(this, 3), input, surface.Surface());
+    const dmg::FlowBoundary kind = this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
+    surface.SetBoundary(isOpen.empty() ? dmg::OpenEdges(surface.Surface().Geometry.Mesh, kind) : isOpen);
     const dmg::FaceFlow flow = chosen ? chosen->On(surface.Surface(), dmg::PartOfContext(context, 0.05, 0.1))
                                       : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },
                                           input, surface.Surface(), context);
-    const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
-      this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift };
+    const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart, this->SteeringFlow },
+      this->Derivatives, this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift };
     dmg::WarnOfPreparation(this, surface.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
@@ -139,7 +149,8 @@ int vtkHodgeDecomposition::RequestData(
     warnings.push_back(dmg::WarningOfFoldedBox(mesh));
     if (isGlobe)
     {
-      warnings.push_back(dmg::WarningOfSlit(mesh, dmg::Vector3(isMap ? DefaultAxis : this->Axis)));
+      layout->CopyToTwins(output, dmg::NamesOfFlowArrays());
+      warnings.push_back(dmg::WarningOfSlit(mesh, axis));
     }
     if (isMap)
     {
@@ -175,6 +186,7 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GradientPart: " << this->GradientPart << "\n";
   os << indent << "RotationalPart: " << this->RotationalPart << "\n";
   os << indent << "HarmonicPart: " << this->HarmonicPart << "\n";
+  os << indent << "SteeringFlow: " << this->SteeringFlow << "\n";
   os << indent << "Derivatives: " << this->Derivatives << "\n";
   os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
   os << indent << "ReferenceBoundary: " << this->ReferenceBoundary << "\n";

@@ -18,6 +18,9 @@
  *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
  *   the neighbours.
  *
+ * With an array of 1 component chosen with index 3, the boundary is open along cells, or between two points, where it is neither 0 nor
+ * NaN, and closed elsewhere.
+ *
  * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
  * that can only be fill values, infinite or 1e8 times the median, are an error. Vectors of a cell stand at the mean of its corners.
  *
@@ -27,7 +30,8 @@
  *
  * - the second output of vtkHarmonicFieldSolver with its array OneForm;
  * - velocities of C-grid models, as of MPAS: the component of the flow that is normal to the side between two cells goes along the line
- *   between their centres. The surface is the triangulation whose points are these centres.
+ *   between their centres. The surface is the triangulation whose points are these centres. It ends half a cell before each coast: of
+ *   an even flow between coasts, transports lack one part in N cells.
  *
  * A 1-form that is closed, as the differences of a function, has vectors without vorticity, to rounding. Else a face has the vector of
  * the Whitney interpolant at its centre.
@@ -39,6 +43,7 @@
  * | array                                                 | of             | components | meaning                                        |
  * | ----------------------------------------------------- | -------------- | ---------- | ---------------------------------------------- |
  * | GradientPart, RotationalPart, HarmonicPart, Residual  | cells, points  | 3          | the parts, in the unit of the flow             |
+ * | SteeringFlow                                          | cells, points  | 3          | what the boundary alone decides (SetSteeringFlow) |
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
  * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide |
@@ -56,7 +61,8 @@
  * | FlowShares                                  | 4          | of the parts in the first                                            |
  * | HarmonicCoefficients                        | dimension  | of the harmonic part in an orthonormal basis                         |
  * | BoundaryPoint, BoundaryLength               | boundaries | a point of each loop, and its length; of a component the longest first |
- * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
+ * | BoundaryIsOpen                              | boundaries | 1 for open ones; arcs of a partly open loop have a tuple each |
+ * | BoundaryCirculation                         | boundaries | along it, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
  * | CellsWithoutFlow                            | 1          | cells that took no part                                              |
@@ -67,8 +73,8 @@
  * streamlines of the rotational part, in its direction, each pair with the same transport between them. They have StreamFunction at
  * their points.
  *
- * Port 2: vtkPolyData, a closed line for each boundary, in the order of field data, with the cell arrays Boundary (its number),
- * BoundaryLength, BoundaryCirculation, BoundaryFlux, BoundaryStreamFunction, and BoundaryTransport: the stream function less that of
+ * Port 2: vtkPolyData, a line for each boundary, in the order of field data, with the cell arrays Boundary (its number), those of field
+ * data, and BoundaryTransport: the stream function less that of
  * ReferenceBoundary, which is the transport through a section from there to this boundary. Other components than that of ReferenceBoundary
  * have it against their own longest boundary.
  *
@@ -76,7 +82,8 @@
  *
  * @section vtkHodgeDecomposition-Execution Execution
  *
- * Two solves for each flow; one more, once, for each island (Closed) and for each loop around handles and holes (HarmonicPart).
+ * Two solves for each flow, four with SteeringFlow; one more, once, for each island, and for each open part and each loop around handles
+ * and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
  * times pass through. Where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the
  * surface.
@@ -151,7 +158,7 @@ public:
 
   ///@{
   /**
-   * The meaning of the surface's boundary for the flow. Default Closed.
+   * The meaning of the surface's boundary for the flow, where no array says it (index 3 of SetInputArrayToProcess). Default Closed.
    */
   vtkSetMacro(Boundary, int);
   vtkGetMacro(Boundary, int);
@@ -182,6 +189,17 @@ public:
   vtkSetMacro(HarmonicPart, bool);
   vtkGetMacro(HarmonicPart, bool);
   vtkBooleanMacro(HarmonicPart, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether SteeringFlow is computed: the flow without the gradient of a potential and the turned gradient of a stream function that are
+   * zero on all of the boundary. It has neither divergence nor vorticity inside, as the wind that a storm stands in, whatever Boundary is. It
+   * holds the residual, and is no addend of its own. It takes two solves more. Default off.
+   */
+  vtkSetMacro(SteeringFlow, bool);
+  vtkGetMacro(SteeringFlow, bool);
+  vtkBooleanMacro(SteeringFlow, bool);
   ///@}
 
   ///@{
@@ -295,6 +313,7 @@ private:
   bool GradientPart = true;
   bool RotationalPart = true;
   bool HarmonicPart = true;
+  bool SteeringFlow = false;
   bool Derivatives = true;
   int NumberOfContours = 20;
   int ReferenceBoundary = 0;

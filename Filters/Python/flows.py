@@ -14,7 +14,7 @@ Mesh = TypeVar("Mesh", bound=vtkDataSet)
 
 
 def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,
-          edges: Optional[vtkDataSet] = None, **properties: Property) -> Mesh:
+          edges: Optional[vtkDataSet] = None, open_boundary: Optional[str] = None, **properties: Property) -> Mesh:
     """A flow on a surface as the sum of a gradient part, a rotational part, a harmonic part and a residual.
 
     mesh                 a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
@@ -26,8 +26,10 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     edges                the flow as a 1-form instead: a dataset with a line for each edge of the mesh, and a number for each in its
                          cell array OneForm, or that which EdgeArray names; EdgeValues="Components" where these are velocities along
                          the lines and not their integrals
+    open_boundary        the name of an array of numbers at points, else on cells: the boundary is open between two points, or along the
+                         cells, where it is neither 0 nor NaN, and closed elsewhere; by default all of it is as Boundary says
     properties           properties of vtkHodgeDecomposition by name, as LengthScale=6371000; values of enumerations may be names,
-                         as Boundary="Open"
+                         as Boundary="Open", or switches, as SteeringFlow=True
 
     Returns a mesh of the same class, which has the arrays of the input and GradientPart, RotationalPart, HarmonicPart and Residual on
     cells and at points; Potential, StreamFunction, Divergence and Vorticity at points; in its field data energies and, for each
@@ -47,7 +49,7 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
         decomposition.SetInputDataObject(1, lines)
     for name, value in properties.items():
         _set_known(decomposition, name, value)
-    for index, name in ((0, vectors), (1, eastward), (2, northward)):
+    for index, name in ((0, vectors), (1, eastward), (2, northward), (3, open_boundary)):
         _choose_array(decomposition, mesh, index, name)
     if vectors is None:
         decomposition.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes.VECTORS)
@@ -62,7 +64,7 @@ def _set_known(decomposition: vtkHodgeDecomposition, name: str, value: Any) -> N
     if name in ("u", "v"):
         raise TypeError(f"there is no property {name}; did you mean {'eastward' if name == 'u' else 'northward'}?")
     if name not in known:
-        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward", "edges"], 1, 0.5)
+        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward", "edges", "open_boundary"], 1, 0.5)
         raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
     if name == "Axis":
         decomposition.SetAxis(*(float(each) for each in value))

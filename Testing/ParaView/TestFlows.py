@@ -80,6 +80,25 @@ def main():
     boundaries = simple.servermanager.Fetch(parts, idx=2)
     assert boundaries.GetNumberOfCells() == 1 and boundaries.GetCellData().HasArray("BoundaryTransport")
     parts.ReferenceBoundary = 0
+
+    sea = simple.Calculator(Input=region, ResultArrayName="Sea", Function="if(coordsX > 0, 1, 0)")
+    parts = simple.HodgeDecomposition(Input=sea, Vectors=["POINTS", "Flow"], OpenBoundary=["POINTS", "Sea"], SteeringFlow=1)
+    data = simple.servermanager.Fetch(parts)
+    x, _, z = vtk_to_numpy(data.GetPoints().GetData()).T
+    rim = np.abs(z - 0.013) < 1e-5
+    potential, stream = point_array(data, "Potential")[rim], point_array(data, "StreamFunction")[rim]
+    assert np.abs(potential[x[rim] > 0]).max() == 0 and np.ptp(potential) > 0.1  # open, and closed
+    assert np.abs(stream[x[rim] < -0.1]).max() == 0 and np.ptp(stream) > 0.1
+    assert sorted(vtk_to_numpy(data.GetFieldData().GetArray("BoundaryIsOpen"))) == [0, 1]
+    assert point_array(data, "SteeringFlow").shape == (len(x), 3)
+
+    # Two blocks that are one surface, and the remedy of the warning.
+    halves = [simple.Clip(Input=flow, ClipType="Plane", Invert=side) for side in (0, 1)]
+    for half in halves:
+        half.ClipType.Origin, half.ClipType.Normal = [0, 0, 0.013], [0, 0, 1]
+    blocks = simple.GroupDatasets(Input=halves)
+    parts = simple.HodgeDecomposition(Input=simple.MergeBlocks(Input=blocks), Vectors=["POINTS", "Flow"])
+    assert simple.servermanager.Fetch(parts).GetFieldData().GetArray("BoundaryPoint").GetNumberOfTuples() == 0
     print("parts of a flow are found")
 
 

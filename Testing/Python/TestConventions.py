@@ -6,13 +6,16 @@ import unittest
 import warnings
 
 import numpy as np
-from directionalmultigrid import FieldError, FieldWarning, hodge, smooth_field, transport, write_raw_field, write_rosy, write_sharp
-from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldAngles, vtkHodgeDecomposition
+from directionalmultigrid import (FieldError, FieldWarning, hodge, smooth_field, transport, update, write_raw_field, write_rosy,
+                                  write_sharp)
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldAngles, vtkHodgeDecomposition, vtkPrincipalDirections
 from surfaces import add, surface, values
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkPlane, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkRectilinearGrid,
+                                           vtkStructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCutter
+from vtkmodules.vtkFiltersSources import vtkTexturedSphereSource
 
 
 def globe(longitudes, latitudes):
@@ -187,6 +190,35 @@ class EastwardAndNorthward(unittest.TestCase):
 
 
 class PeriodicData(unittest.TestCase):
+    def test_are_right_in_all_layouts_that_readers_make(self):
+        """A wave of degree 5 on a grid of 5 degrees: cells around values at the poles, which reach over these, and columns at 0 and at 360."""
+        def wave(p):
+            x, y, z = p.T
+            return (x ** 4 - 6 * x * x * y * y + y ** 4) * z - z
+
+        def wind(p):
+            x, y, z = p.T
+            q = x ** 4 - 6 * x * x * y * y + y ** 4
+            return np.cross(p, np.stack([z * (4 * x ** 3 - 12 * x * y * y), z * (4 * y ** 3 - 12 * x * x * y), q - 1], 1))
+
+        once, between, poles = np.arange(0, 360, 5.0), np.arange(-87.5, 90, 5.0), np.arange(-90, 90.1, 5.0)
+        for longitudes in (once, np.append(once, 360)):
+            for latitudes in (between, poles, poles[::-1]):
+                step = latitudes[1] - latitudes[0]
+                grid, xyz = globe(np.append(longitudes - 2.5, longitudes[-1] + 2.5),
+                                  np.append(latitudes - step / 2, latitudes[-1] + step / 2))
+                _, centres = globe(longitudes, latitudes)
+                for name, numbers in zip("uv", east_and_north(centres, wind(centres))):
+                    add(grid.GetCellData(), name, numbers)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    result = hodge(grid, eastward="u", northward="v")
+                self.assertEqual(result.GetFieldData().GetArray("BoundaryPoint").GetNumberOfTuples(), 0)
+                error = values(result.GetPointData(), "StreamFunction") - wave(xyz)
+                self.assertLess(np.abs(error - np.median(error)).max(), 0.002 * np.ptp(wave(xyz)))
+                speeds = np.linalg.norm(values(result.GetCellData(), "RotationalPart"), axis=1)
+                self.assertLess(np.abs(speeds - np.linalg.norm(wind(centres), axis=1)).max(), 0.1)
+
     def test_a_grid_one_step_short_of_the_circle_is_told(self):
         for longitudes, is_told in ((np.arange(0, 360.1, 5), False), (np.arange(0, 360, 5), True)):
             grid, xyz = globe(longitudes, np.linspace(-90, 90, 37))
@@ -227,7 +259,45 @@ class Land(unittest.TestCase):
                     hodge(grid, "U")
 
 
+class Coasts(unittest.TestCase):
+    def test_are_not_crossed_where_the_sea_beside_them_is_open(self):
+        """By an array of points, and by one of cells."""
+        def spreading(x, y):
+            return np.stack([1 + 0.3 * np.sin(x), 0.2 * y * np.cos(x), 0 * x], 1)
+
+        sea, x, y = image(61, 41, spreading, 0.1)
+        add(sea.GetPointData(), "open at", ((y > 0) | (x == 0) | (x == x.max())).astype(float))
+        cells = np.ones((40, 60))
+        cells[0, 1:-1] = 0
+        add(sea.GetCellData(), "open along", cells.ravel())
+        for name in ("open at", "open along"):
+            result = hodge(sea, "U", open_boundary=name)
+            data = result.GetPointData()
+            coast, west = (y == 0) & (x > 0.5) & (x < 5.5), (x == 0) & (y > 0.5) & (y < 3.5)
+            for part in ("GradientPart", "RotationalPart"):
+                self.assertLess(np.abs(values(data, part)[coast, 1]).max(), 0.02)
+            self.assertGreater(values(data, "RotationalPart")[west, 0].mean(), 0.9)  # of a mean current of 1
+            np.testing.assert_array_equal(values(result.GetFieldData(), "BoundaryIsOpen"), [1, 0])  # the longer one first
+
+    def test_an_array_that_is_not_there_is_named(self):
+        sea, _, _ = image(5, 5, lambda x, y: np.stack([x, y, 0 * x], 1))
+        with self.assertRaisesRegex(FieldError, "no array 'coast'"):
+            hodge(sea, "U", open_boundary="coast")
+
+
 class SteeringFlow(unittest.TestCase):
+    def test_is_the_wind_that_a_storm_stands_in(self):
+        """Of a vortex and an inflow whose potentials are zero at the boundary to three digits."""
+        def storm(x, y):
+            x, y = x - 6, y - 6
+            fall = np.exp(-(x * x + y * y))
+            return np.stack([(-y - 0.3 * x) * fall + 5, (x - 0.3 * y) * fall + 2, 0 * x], 1)
+
+        grid, x, y = image(49, 49, storm, 0.25)
+        for boundary in ("Closed", "Open"):
+            wind = values(hodge(grid, "U", Boundary=boundary, SteeringFlow=True).GetPointData(), "SteeringFlow")
+            np.testing.assert_allclose(wind, np.broadcast_to([5, 2, 0], wind.shape), atol=0.02)
+
     def test_is_the_flow_less_the_parts_that_two_boundaries_hold(self):
         def storm(x, y):
             x, y = x - 6, y - 6
@@ -280,7 +350,95 @@ class Distances(unittest.TestCase):
         np.testing.assert_array_equal(np.isnan(values(result.GetPointData(), "GeodesicDistance")), [False] * 3 + [True] * 3)
 
 
+class Tiles(unittest.TestCase):
+    def six_tiles(self):
+        n = 11
+        a = np.tan(np.linspace(-np.pi / 4, np.pi / 4, n))
+        x, y = (each.ravel() for each in np.meshgrid(a, a))
+        one = np.ones_like(x)
+        for corner in ((one, x, y), (-x, one, y), (-one, -x, y), (x, -one, y), (-y, x, one), (y, x, -one)):
+            at = np.stack(corner, 1)
+            at /= np.linalg.norm(at, axis=1)[:, None]
+            tile, points = vtkStructuredGrid(), vtkPoints()
+            tile.SetDimensions(n, n, 1)
+            points.SetData(numpy_to_vtk(at, deep=True))
+            tile.SetPoints(points)
+            add(tile.GetPointData(), "U", np.cross([0, 0, 1.0], at))
+            yield tile
+
+    def shares(self, data):
+        """Of the gradient part, and warnings."""
+        decomposition = vtkHodgeDecomposition()
+        decomposition.SetInputDataObject(0, data)
+        decomposition.SetInputArrayToProcess(0, 0, 0, 0, "U")
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            return update(decomposition), [str(each.message) for each in said]
+
+    def test_are_told_with_the_remedy_which_makes_one_surface_of_them(self):
+        blocks, merge = vtkMultiBlockDataSet(), vtkAppendFilter()
+        for tile in self.six_tiles():
+            blocks.SetBlock(blocks.GetNumberOfBlocks(), tile)
+            merge.AddInputData(tile)
+        for _ in range(2):  # each execution by itself
+            _, said = self.shares(blocks)
+            self.assertEqual(len(said), 1)
+            self.assertRegex(said[0], r"Merge Blocks \(vtkAppendFilter\)")
+        merge.Update()
+        merged, said = self.shares(merge.GetOutput())
+        self.assertEqual(said, [])
+        self.assertLess(values(merged.GetFieldData(), "FlowShares")[0], 1e-3)
+
+    def test_blocks_apart_and_twins_are_no_tiles(self):
+        tiles = list(self.six_tiles())
+        for pair in ((tiles[0], tiles[2]), (tiles[0], tiles[0])):
+            blocks = vtkMultiBlockDataSet()
+            for k, tile in enumerate(pair):
+                blocks.SetBlock(k, tile)
+            self.assertEqual(self.shares(blocks)[1], [])
+
+
+class Tensors(unittest.TestCase):
+    def test_that_are_not_symmetric_are_told_and_their_symmetric_part_counts(self):
+        symmetric, spin = np.array([[2, 0.5, 0], [0.5, 1, 0], [0, 0, 1]]), np.array([[0, 3, 0], [-3, 0, 0], [0, 0, 0]])
+        fields = []
+        for tensor, told in ((symmetric, False), (symmetric + spin, True)):
+            grid, x, _ = image(7, 7, lambda x, y: np.stack([x, y, 0 * x], 1))
+            add(grid.GetPointData(), "T", np.broadcast_to(tensor.ravel(), (len(x), 9)))
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                field = smooth_field(grid, n=2, Directions="T")
+            self.assertEqual(["49 tensors are not symmetric; their symmetric parts are used" in str(each.message) for each in said],
+                             [True] * told)
+            fields.append(values(field.GetPointData(), "Direction0"))
+        np.testing.assert_allclose(np.abs((fields[0] * fields[1]).sum(1)), 1, atol=1e-6)
+
+
+class PrincipalDirections(unittest.TestCase):
+    def test_are_unit_vectors_on_quadrilaterals_too(self):
+        u, v = np.meshgrid(np.linspace(-1, 1, 13), np.linspace(-1, 1, 13))
+        at = np.stack([u, v, u * u - 0.3 * v * v + 0.2 * u * v], -1).reshape(-1, 3)
+        cells = [(a, a + 1, a + 14, a + 13) for j in range(12) for i in range(12) for a in [13 * j + i]]
+        filter = vtkPrincipalDirections()
+        filter.SetInputData(polygons(at, cells))
+        data = update(filter)
+        for attributes in (data.GetCellData(), data.GetPointData()):
+            np.testing.assert_allclose(np.linalg.norm(values(attributes, "MaximumDirection"), axis=1), 1, atol=1e-12)
+
+
 class Export(unittest.TestCase):
+    def test_a_sphere_with_the_seam_of_a_texture_has_no_features(self):
+        sphere = vtkTexturedSphereSource()
+        sphere.SetThetaResolution(40)
+        sphere.SetPhiResolution(40)
+        sphere.Update()
+        with warnings.catch_warnings(), tempfile.TemporaryDirectory() as folder:
+            warnings.simplefilter("ignore")
+            path = os.path.join(folder, "part.sharp")
+            write_sharp(path, smooth_field(sphere.GetOutput()))
+            with open(path, encoding="ascii") as file:
+                self.assertEqual(int(file.readline()), 0)
+
     def test_features_are_those_of_the_surface_that_the_solver_sees(self):
         n = 6
         at = np.array([[i, j, 0.0] for j in range(n + 1) for i in range(n + 1)])

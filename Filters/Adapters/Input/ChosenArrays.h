@@ -78,7 +78,7 @@ ChosenArray FindVectors(
 /// \return the words of an error where the surface is another one, else nothing.
 std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions);
 
-/// A symmetric tensor of 6 numbers (XX YY ZZ XY YZ XZ), or one of 9 by rows.
+/// A tensor: a symmetric one of 6 numbers (XX YY ZZ XY YZ XZ), or one of 9 by rows.
 Eigen::Matrix3d TensorOf(const double* numbers, int components);
 bool HoldsTensors(vtkDataArray* array);
 

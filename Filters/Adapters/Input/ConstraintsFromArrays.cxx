@@ -26,6 +26,7 @@ void Add(UnusableDirections& sum, const UnusableDirections& part)
   sum.NotFinite += part.NotFinite;
   sum.Zero += part.Zero;
   sum.Perpendicular += part.Perpendicular;
+  sum.NotSymmetric += part.NotSymmetric;
 }
 
 /// The place of a point or cell of the caller's that is part of the surface.
@@ -102,7 +103,7 @@ Constraints DirectionsOnSurface(
   Constraints directions;
   const ConstraintArrays arrays = FindArrays(choices, input, Whose, true);
   const bool onPoints = arrays.Vectors.OnPoints();
-  const bool weighs = choices.WeighsTensors && HoldsTensors(arrays.Vectors.Array);
+  const bool areTensors = HoldsTensors(arrays.Vectors.Array);
   std::vector<double> differences;
   const SurfaceRelation& relation = surface.Relation;
   const auto elementsOf = [&](vtkIdType element)
@@ -118,16 +119,21 @@ Constraints DirectionsOnSurface(
       [&](vtkIdType element) { return !elementsOf(element).empty(); },
       [&](const ElementDirection& given)
       {
+        Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+        if (areTensors)
+        {
+          double numbers[9];
+          arrays.Vectors.Array->GetTuple(given.Element, numbers);
+          tensor = TensorOf(numbers, arrays.Vectors.Array->GetNumberOfComponents());
+          unusable.NotSymmetric += IsSymmetric(tensor) ? 0 : 1;
+        }
         for (const int element : elementsOf(given.Element))
         {
           constraints.push_back({ element, given.Vector, given.Weight });
-          if (weighs)
+          if (areTensors && choices.WeighsTensors)
           {
-            double numbers[9];
-            arrays.Vectors.Array->GetTuple(given.Element, numbers);
-            differences.push_back(
-              DifferenceOfPrincipalValues(TensorOf(numbers, arrays.Vectors.Array->GetNumberOfComponents()),
-                onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, element));
+            differences.push_back(DifferenceOfPrincipalValues(
+              tensor, onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, element));
           }
         }
       }));
@@ -207,7 +213,14 @@ std::string TextOf(const UnusableDirections& unusable)
   say(unusable.NotFinite, " not finite");
   say(unusable.Zero, " zero where the mask is not");
   say(unusable.Perpendicular, " perpendicular to the surface");
-  return "some directions are left out: " + text + "; take them out of the mask, or make them zero where there is none";
+  text = text.empty()
+    ? ""
+    : "some directions are left out: " + text + "; take them out of the mask, or make them zero where there is none";
+  const std::string number = std::to_string(unusable.NotSymmetric);
+  const std::string tensors = unusable.NotSymmetric == 0 ? ""
+    : unusable.NotSymmetric == 1 ? number + " tensor is not symmetric; its symmetric part is used"
+                                 : number + " tensors are not symmetric; their symmetric parts are used";
+  return text + (text.empty() || tensors.empty() ? "" : ". ") + tensors;
 }
 
 Constraints ConstraintsFromArrays(

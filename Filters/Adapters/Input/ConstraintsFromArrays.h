@@ -28,7 +28,7 @@ Constraints ConstraintsFromArrays(
 /// Whether an array of directions is chosen that a dataset has.
 bool HasDirections(const ConstraintArrays& choices, vtkDataSet* dataset);
 
-/// One sentence: the directions that are left out, and what helps.
+/// The directions that are left out, and what helps; the tensors that are not symmetric.
 std::string TextOf(const UnusableDirections& unusable);
 
 /// Adds the rotations of an array, in degrees, if one is chosen. Elements of the other kind than the array's get the mean of

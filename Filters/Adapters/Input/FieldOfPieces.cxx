@@ -42,6 +42,7 @@ UnusableDirections ReadPieces(
   unusable.NotFinite = Sum(ranks, unusable.NotFinite);
   unusable.Zero = Sum(ranks, unusable.Zero);
   unusable.Perpendicular = Sum(ranks, unusable.Perpendicular);
+  unusable.NotSymmetric = Sum(ranks, unusable.NotSymmetric);
   return unusable;
 }
 

@@ -1,5 +1,6 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
+#include "Adapters/Data/HiddenCells.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ElementArrays.h"
@@ -11,11 +12,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,25 +63,6 @@ std::vector<char> CellsWith(const std::vector<char>& isPoint, vtkDataSet* datase
       std::any_of(points->begin(), points->end(), [&](vtkIdType point) { return isPoint[point] != 0; }) ? 1 : 0;
   }
   return isCell;
-}
-
-vtkSmartPointer<vtkDataSet> WithoutCells(vtkDataSet* dataset, const std::vector<char>& isHidden)
-{
-  vtkSmartPointer<vtkDataSet> rest = vtk::TakeSmartPointer(dataset->NewInstance());
-  rest->ShallowCopy(dataset);
-  auto* const former =
-    vtkUnsignedCharArray::SafeDownCast(dataset->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfValues(dataset->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
-  {
-    const int before = former ? former->GetValue(cell) : 0;
-    const int hidden = isHidden[cell] ? static_cast<int>(vtkDataSetAttributes::HIDDENCELL) : 0;
-    ghosts->SetValue(cell, static_cast<unsigned char>(before | hidden));
-  }
-  rest->GetCellData()->AddArray(ghosts);
-  return rest;
 }
 
 /// Gives the elements without a vector the mean of their neighbours, as far as these have one.
@@ -175,7 +155,7 @@ vtkSmartPointer<vtkDataSet> ChosenFlow::WithFlow(vtkDataSet* dataset)
     return { dataset };
   }
   this->IsHidden = isHidden;
-  return WithoutCells(dataset, isHidden);
+  return WithHidden(dataset, isHidden);
 }
 
 void ChosenFlow::MarkCellsWithoutFlow(

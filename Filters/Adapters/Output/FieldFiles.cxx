@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -145,6 +146,7 @@ struct Side
 
 using SidesOfEdges = std::map<std::pair<int, int>, std::vector<Side>>;
 
+/// As for the solver, triangles that have a corner twice, or that are there already, take no part.
 /// \param joined the point that stands for a point.
 SidesOfEdges FindSides(const std::vector<Face>& triangles, const std::map<int, int>& joined)
 {
@@ -154,11 +156,19 @@ SidesOfEdges FindSides(const std::vector<Face>& triangles, const std::map<int, i
     return found == joined.end() ? point : found->second;
   };
   SidesOfEdges edges;
+  std::set<std::set<int>> known;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
+    const std::vector<int>& points = triangles[t].Points;
+    const std::array<int, 3> corners{ standFor(points[0]), standFor(points[1]), standFor(points[2]) };
+    const std::set<int> different(corners.begin(), corners.end());
+    if (different.size() < 3 || !known.insert(different).second)
+    {
+      continue;
+    }
     for (int k = 0; k < 3; ++k)
     {
-      const int start = standFor(triangles[t].Points[k]), end = standFor(triangles[t].Points[(k + 1) % 3]);
+      const int start = corners[k], end = corners[(k + 1) % 3];
       edges[std::minmax(start, end)].push_back({ static_cast<int>(t), k, start, end });
     }
   }

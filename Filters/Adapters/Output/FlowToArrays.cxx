@@ -140,23 +140,26 @@ void CheckIsBoundary(int number, std::size_t boundaries)
   }
 }
 
-/// Makes \p output a closed line for each boundary, with the numbers of the flow.
-void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, const DecomposedFlow& parts,
+/// Makes \p output a line for each part of the boundary, closed where it is a loop, with the numbers of the flow.
+void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryPart>& loops, const DecomposedFlow& parts,
   const FlowOptions& options, vtkPolyData* output)
 {
   CheckIsBoundary(options.ReferenceBoundary, loops.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  for (const BoundaryLoop& loop : loops)
+  for (const BoundaryPart& loop : loops)
   {
     const vtkIdType first = points->GetNumberOfPoints();
-    lines->InsertNextCell(static_cast<int>(loop.Vertices.size()) + 1);
+    lines->InsertNextCell(static_cast<int>(loop.Vertices.size()) + (loop.IsLoop ? 1 : 0));
     for (const int vertex : loop.Vertices)
     {
       lines->InsertCellPoint(points->InsertNextPoint(Vector3(mesh.Position(vertex)).data()));
     }
-    lines->InsertCellPoint(first);
+    if (loop.IsLoop)
+    {
+      lines->InsertCellPoint(first);
+    }
   }
   output->SetPoints(points);
   output->SetLines(lines);
@@ -173,6 +176,7 @@ void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& l
   const Vector<double>& values = parts.StreamValues;
   add(Boundary, 1.0, [](Eigen::Index k) { return static_cast<double>(k); });
   add(BoundaryLength, scale, [&](Eigen::Index k) { return loops[k].Length; });
+  add(BoundaryIsOpen, 1.0, [&](Eigen::Index k) { return loops[k].IsOpen ? 1.0 : 0.0; });
   add(BoundaryCirculation, scale, [&](Eigen::Index k) { return parts.Circulation[k]; });
   add(BoundaryFlux, scale, [&](Eigen::Index k) { return parts.Flux[k]; });
   if (values.size() > 0 && !loops.empty())
@@ -228,18 +232,22 @@ void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double s
   arrays.AddNumbers(HarmonicCoefficients, scale * parts.Coefficients);
 }
 
-void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const std::vector<BoundaryLoop>& loops,
+void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const std::vector<BoundaryPart>& all,
   const SurfaceRelation& relation, double scale)
 {
-  Vector<double> points(static_cast<Eigen::Index>(loops.size()));
+  Vector<double> points(static_cast<Eigen::Index>(all.size()));
   Vector<double> lengths(points.size());
+  Vector<double> areOpen(points.size());
   for (Eigen::Index k = 0; k < points.size(); ++k)
   {
-    points[k] = static_cast<double>(relation.PointOf(loops[k].Vertices[0]));
-    lengths[k] = scale * loops[k].Length;
+    const std::vector<int>& vertices = all[k].Vertices;
+    points[k] = static_cast<double>(relation.PointOf(vertices[all[k].IsLoop ? 0 : vertices.size() / 2]));
+    lengths[k] = scale * all[k].Length;
+    areOpen[k] = all[k].IsOpen ? 1.0 : 0.0;
   }
   arrays.AddNumbers(BoundaryPoint, points);
   arrays.AddNumbers(BoundaryLength, lengths);
+  arrays.AddNumbers(BoundaryIsOpen, areOpen);
   arrays.AddNumbers(BoundaryCirculation, scale * parts.Circulation);
   arrays.AddNumbers(BoundaryFlux, scale * parts.Flux);
   arrays.AddNumbers(BoundaryStreamFunction, scale * parts.StreamValues);
@@ -249,7 +257,7 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 
 std::vector<std::string> NamesOfParts()
 {
-  return { GradientPart, RotationalPart, HarmonicPart, Residual };
+  return { GradientPart, RotationalPart, HarmonicPart, Residual, SteeringFlow };
 }
 
 std::vector<std::string> NamesOfFlowArrays()
@@ -259,8 +267,8 @@ std::vector<std::string> NamesOfFlowArrays()
   return names;
 }
 
-void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
-  const SolverOptions& options, bool isGlobe, const ExecutionContext& context)
+void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const SolverOptions& options,
+  bool isGlobe, const ExecutionContext& context)
 {
   auto prepared = PrepareDataSet(input, preparation, context);
   if (this->Prepared != prepared)
@@ -274,11 +282,10 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
   if (!this->Decomposition || !(this->Options == options) || this->IsGlobe != isGlobe)
   {
     this->Forget();
-    this->Decomposition.emplace(this->Prepared->Geometry, boundary, options, isGlobe);
+    this->Decomposition.emplace(this->Prepared->Geometry, FlowBoundary::Closed, options, isGlobe);
     this->Options = options;
     this->IsGlobe = isGlobe;
   }
-  this->Decomposition->SetBoundary(boundary);
 }
 
 void FlowSurface::Forget()
@@ -317,6 +324,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   context.Checkpoint(0.9);
   arrays.AddPart(HarmonicPart, parts.Harmonic);
   arrays.AddPart(Residual, parts.Residual);
+  arrays.AddPart(SteeringFlow, parts.Steering);
   if (flow.Normal.size() > 0)
   {
     arrays.OfCells().Add(NormalComponent, 1, flow.Normal.data());
@@ -332,7 +340,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
   MakeBoundaries(on.Mesh, this->Decomposition->Boundaries(), parts, options, boundaries);
-  const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
+  const bool isSolved = options.Parts.Gradient || options.Parts.Rotational || options.Parts.Steering;
   AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)
   {

@@ -39,11 +39,13 @@ std::vector<std::string> NamesOfFlowArrays();
 class FlowSurface
 {
 public:
-  /// Takes another surface, boundary or solver, if it is another.
+  /// Takes another surface or solver, if it is another.
   /// \param isGlobe as of HodgeDecomposition.
   /// \throw InvalidInput as MeshFromDataSet.
-  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
-    const SolverOptions& options, bool isGlobe, const ExecutionContext& context);
+  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const SolverOptions& options, bool isGlobe,
+    const ExecutionContext& context);
+  /// \param isOpen by edge, as of HodgeDecomposition.
+  void SetBoundary(const std::vector<char>& isOpen) { this->Decomposition->SetBoundary(isOpen); }
 
   /// The things that were done to the surface.
   const PreparationReport& Preparation() const { return this->Prepared->Report; }

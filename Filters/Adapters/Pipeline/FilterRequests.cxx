@@ -6,6 +6,7 @@
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/TouchingLeaves.h"
 #include "Adapters/Ranks/GatheredInputs.h"
 #include "Adapters/Ranks/JoinedPieces.h"
 #include "Adapters/Ranks/RanksOfPipeline.h"
@@ -213,6 +214,7 @@ void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformat
   const vtkSmartPointer<vtkDataSet> surface = SurfaceOfInput(given);
   make(InputsWithSurface(algorithm, inputs, surface).Get(), context);
   CheckOutputs(outputs, surface);
+  WarnOfTouchingLeaves(algorithm, surface);
   if (IsVolume(given))
   {
     static vtkInformationIntegerKey* const isTold =
@@ -391,6 +393,7 @@ int AskForInputs(
   const RanksOfPipeline ranks;
   // The executive asks for each leaf of a composite dataset after what it has forwarded.
   const bool isLeaf = request->Get(vtkExecutive::ALGORITHM_AFTER_FORWARD()) != 0;
+  BeginExecution(algorithm, isLeaf);
   const bool inPieces = !isLeaf && IsPieceOfRank(ranks, AskedOf(request, outputs)) && ComesInPieces(inputs[0]);
   const int piece = inPieces ? ranks.Rank() : 0;
   const int numberOfPieces = inPieces ? ranks.Size() : IsPieceZero(request, outputs) ? 1 : 0;

@@ -151,6 +151,12 @@ UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& 
   return unusable;
 }
 
+bool IsSymmetric(const Eigen::Matrix3d& tensor)
+{
+  constexpr double Rounding = 1e-5;
+  return (tensor - tensor.transpose()).cwiseAbs().maxCoeff() <= Rounding * tensor.cwiseAbs().maxCoeff();
+}
+
 Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element)
 {
   constexpr double SmallestDifference = 1e-9;

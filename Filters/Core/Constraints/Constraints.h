@@ -71,14 +71,16 @@ void CheckElement(int element, int size, const std::string& kind);
 Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
   const std::string& name, const std::string& kind);
 
-/// The numbers of directions that are left out, by reason, for a message.
+/// The numbers of directions that are left out or changed, by reason, for a message.
 struct UnusableDirections
 {
   long long NotFinite = 0;
   long long Zero = 0;
   long long Perpendicular = 0; ///< to the surface: less than 1e-6 of the length is along it
+  long long NotSymmetric = 0;  ///< tensors, whose symmetric part is used
 
-  bool AreNone() const { return this->NotFinite == 0 && this->Zero == 0 && this->Perpendicular == 0; }
+  bool AreLeftOut() const { return this->NotFinite > 0 || this->Zero > 0 || this->Perpendicular > 0; }
+  bool AreNone() const { return !this->AreLeftOut() && this->NotSymmetric == 0; }
 };
 
 /// Leaves out directions that are not finite, zero, or perpendicular to the surface, as measured data have some.
@@ -86,8 +88,11 @@ struct UnusableDirections
 /// \return the numbers of those that are left out.
 UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& surface);
 
-/// The direction of a tensor's largest eigenvalue in the tangent plane of an element, a unit vector of either sign.
-/// \param tensor symmetric, in space; its part in the plane counts.
+/// Whether a tensor is symmetric, up to 1e-5 of its largest number.
+bool IsSymmetric(const Eigen::Matrix3d& tensor);
+
+/// The direction of the largest eigenvalue of a tensor's symmetric part in the tangent plane of an element, a unit vector of either sign.
+/// \param tensor in space; its part in the plane counts.
 /// \return zero where both eigenvalues in the plane are equal up to 1e-9 of the tensor, or where it is not finite.
 Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
 

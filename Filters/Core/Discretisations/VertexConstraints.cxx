@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace dmg
 {
@@ -57,6 +58,73 @@ void CheckSource(const Vector<double>& source, int numberOfVertices, const Eleme
   }
 }
 
+namespace
+{
+
+double LengthOf(const TriangleMesh& mesh, int halfedge)
+{
+  return (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).norm();
+}
+
+/// The sums of constraints along sides, by vertex. The tangent of a curve through three points is the mean of both sides by the inverse of their
+/// lengths, although the longer side weighs more.
+class TangentsAtVertices
+{
+public:
+  TangentsAtVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces)
+    : Mesh(mesh)
+    , Sums(mesh.NumberOfVertices())
+  {
+    for (const Constraint& onFace : onFaces)
+    {
+      if (onFace.Side >= 0)
+      {
+        const int h = 3 * onFace.Element + onFace.Side;
+        for (const int end : { mesh.Tail(h), mesh.Head(h) })
+        {
+          this->Sums[end].Longest = std::max(this->Sums[end].Longest, LengthOf(mesh, h));
+        }
+      }
+    }
+  }
+
+  void Add(int vertex, int side, double weight, Complex power)
+  {
+    constexpr double Shortest = 0.1; // the directions of much shorter sides may be noise
+    Sum& sum = this->Sums[vertex];
+    const double length = std::max(LengthOf(this->Mesh, side), Shortest * sum.Longest);
+    const double share = length > 0.0 ? weight / (length * length) : weight;
+    sum.Weight += weight;
+    sum.Shares += share;
+    sum.Power += share * power;
+  }
+
+  void AddTo(std::vector<PowerAtVertex>& sums) const
+  {
+    for (std::size_t vertex = 0; vertex < sums.size(); ++vertex)
+    {
+      if (const Sum& along = this->Sums[vertex]; along.Weight > 0.0)
+      {
+        sums[vertex].Add(along.Weight, along.Power / along.Shares);
+      }
+    }
+  }
+
+private:
+  struct Sum
+  {
+    double Longest = 0.0;
+    double Weight = 0.0;
+    double Shares = 0.0;
+    Complex Power = 0.0;
+  };
+
+  const TriangleMesh& Mesh;
+  std::vector<Sum> Sums;
+};
+
+}
+
 std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces)
 {
   std::vector<char> isPrescribed(mesh.NumberOfFaces(), 0);
@@ -79,6 +147,7 @@ std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const Ver
   const TriangleMesh& mesh = surface.Mesh;
   const Vector<double> areas = LumpedMass(mesh);
   std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
+  TangentsAtVertices tangents(mesh, constraints.OnFaces);
   for (const Constraint& onFace : constraints.OnFaces)
   {
     const int face = onFace.Element;
@@ -94,11 +163,13 @@ std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const Ver
         const int h = 3 * face + k;
         const int vertex = mesh.Tail(h);
         const double share = std::max(part * area, SmallestShare * areas[vertex]) / areas[vertex];
-        sums[vertex].Add(
-          onFace.Weight * (areas[vertex] > 0.0 ? share : 1.0), PowerOfDirection(connection.TurnFromFace(h) * v, N));
+        const double weight = onFace.Weight * (areas[vertex] > 0.0 ? share : 1.0);
+        const Complex power = PowerOfDirection(connection.TurnFromFace(h) * v, N);
+        onFace.Side < 0 ? sums[vertex].Add(weight, power) : tangents.Add(vertex, 3 * face + onFace.Side, weight, power);
       }
     }
   }
+  tangents.AddTo(sums);
   for (const Constraint& atVertex : constraints.AtVertices)
   {
     const int vertex = atVertex.Element;

@@ -37,7 +37,7 @@ std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector
 
 /// Constraints as a power field at points takes them, per vertex of the mesh. A direction on a face counts at its corners, each with
 /// the part of the vertex's area that the face has there; where a corner is surrounded, at such corners alone. A direction
-/// along a side counts at both ends of it.
+/// along a side counts at both ends of it. Where sides of a curve meet, their mean is the tangent of the curve, however uneven they are.
 /// \param isSurrounded SurroundedVertices.
 /// \throw InvalidInput as CheckElement and TangentialPart.
 std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const VertexConnection& connection, int N,

@@ -3,6 +3,7 @@
 #include "Analysis/HarmonicForms.h"
 #include "Support/Errors.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,7 +12,7 @@ namespace dmg
 namespace
 {
 
-/// Functions of loops are made once, and all stream functions rest on them.
+/// Functions of coasts are made once, and all stream functions rest on them.
 const StoppingCriteria StopOfFunctions{ 1e-12, 200 };
 /// The number of vertices up to which two solves by a factor are faster than by cycles, from the bare surface.
 constexpr int LargestForFactor = 300000;
@@ -21,7 +22,7 @@ constexpr int LargestForFactor = 300000;
 FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& options)
   : Geometry(surface)
   , Options(options)
-  , LoopsOfBoundary(FindBoundaryLoops(surface.Mesh))
+  , Boundary(BoundaryVertices(surface.Mesh))
   , Setups(surface)
 {
   this->Options.ExpectedSolves += NumberOfGenerators(surface.Mesh);
@@ -29,64 +30,76 @@ FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& o
   {
     this->Options.Kind = SolverKind::Cholesky;
   }
+  this->SetBoundary(OpenEdges(surface.Mesh, FlowBoundary::Closed));
 }
 
-PoissonSolver& FlowPotentials::Make(
-  std::optional<PoissonSolver>& solver, std::vector<int> fixed, const ExecutionContext& context)
+void FlowPotentials::SetBoundary(const std::vector<char>& isOpen)
 {
-  if (!solver)
+  this->PartsOfSurface = PartsOfBoundary(this->Geometry.Mesh, isOpen);
+  this->OpenVertices = VerticesOfParts(this->PartsOfSurface, true);
+  this->ClosedVertices = VerticesOfParts(this->PartsOfSurface, false);
+  this->StoredFunctions.reset();
+  this->Solvers.remove_if(
+    [this](const PoissonSolver& each)
+    {
+      return each.Fixed() != this->OpenVertices && each.Fixed() != this->ClosedVertices &&
+        each.Fixed() != this->Boundary;
+    });
+}
+
+PoissonSolver& FlowPotentials::With(const std::vector<int>& fixed, const ExecutionContext& context)
+{
+  const auto known = std::find_if(
+    this->Solvers.begin(), this->Solvers.end(), [&fixed](const PoissonSolver& each) { return each.Fixed() == fixed; });
+  if (known != this->Solvers.end())
   {
-    solver.emplace(this->Setups, std::move(fixed), this->Options, context);
-    this->CountsOfStages.Setups += solver->HasNewSetup();
+    return *known;
   }
-  return *solver;
+  this->Solvers.emplace_back(this->Setups, fixed, this->Options, context);
+  this->CountsOfStages.Setups += this->Solvers.back().HasNewSetup() ? 1 : 0;
+  return this->Solvers.back();
 }
 
-PoissonSolver& FlowPotentials::Free(const ExecutionContext& context)
-{
-  return this->Make(this->FreeSolver, {}, context);
-}
-
-PoissonSolver& FlowPotentials::Fixed(const ExecutionContext& context)
-{
-  return this->LoopsOfBoundary.empty() ? this->Free(context)
-                                       : this->Make(this->FixedSolver, BoundaryVertices(this->Geometry.Mesh), context);
-}
-
-Vector<double> FlowPotentials::Solve(
-  PoissonSolver& solver, const Vector<double>& source, const StoppingCriteria& stop, const ExecutionContext& context)
+Vector<double> FlowPotentials::Solve(PoissonSolver& solver, const Vector<double>& source, const StoppingCriteria& stop,
+  const ExecutionContext& context, const Vector<double>& fixed)
 {
   // Sources sum to zero but for rounding, which may be all that there is.
-  Vector<double> u = solver.Solve(source, {}, stop, context, NetSource::TakeOut);
+  Vector<double> u = solver.Solve(source, fixed, stop, context, NetSource::TakeOut);
   this->LastReport = solver.Report();
   return u;
 }
 
-Vector<double> FlowPotentials::Potential(
-  const FlowDerivatives& of, FlowBoundary boundary, const StoppingCriteria& stop, const ExecutionContext& context)
+Vector<double> FlowPotentials::Potential(const FlowDerivatives& of, const StoppingCriteria& stop,
+  const ExecutionContext& context, const Vector<double>& onOpenParts)
 {
-  const PartOfContext first(context, 0.0, 0.4);
-  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Free(first) : this->Fixed(first);
-  return this->Solve(solver, -of.Divergence, stop, PartOfContext(context, 0.4, 1.0));
+  PoissonSolver& solver = this->With(this->OpenVertices, PartOfContext(context, 0.0, 0.4));
+  const Vector<double> fixed =
+    onOpenParts.size() > 0 ? Vector<double>(onOpenParts(this->OpenVertices)) : Vector<double>();
+  return this->Solve(solver, -of.Divergence, stop, PartOfContext(context, 0.4, 1.0), fixed);
 }
 
 Vector<double> FlowPotentials::StreamFunction(
-  const FlowDerivatives& of, FlowBoundary boundary, const StoppingCriteria& stop, const ExecutionContext& context)
+  const FlowDerivatives& of, const StoppingCriteria& stop, const ExecutionContext& context)
 {
-  const PartOfContext first(context, 0.0, 0.4);
-  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Fixed(first) : this->Free(first);
+  PoissonSolver& solver = this->With(this->ClosedVertices, PartOfContext(context, 0.0, 0.4));
   const Vector<double> source = -of.Vorticity;
   Vector<double> psi = this->Solve(solver, source, stop, PartOfContext(context, 0.4, 0.7));
-  if (boundary == FlowBoundary::Closed)
+  const Eigen::MatrixXd& functions = this->FunctionsOfCoasts(PartOfContext(context, 0.7, 1.0));
+  if (functions.cols() > 0)
   {
-    const Eigen::MatrixXd& functions = this->FunctionsOfLoops(PartOfContext(context, 0.7, 1.0));
-    if (functions.cols() > 0)
-    {
-      // psi is zero on the boundary so far, and these functions are orthogonal to all that are.
-      psi += functions * this->Energies.solve(functions.transpose() * source);
-    }
+    // psi is zero on the coasts so far, and these functions are orthogonal to all that are.
+    psi += functions * this->Energies.solve(functions.transpose() * source);
   }
   return psi;
+}
+
+FlowFunctions FlowPotentials::ZeroOnBoundary(
+  const FlowDerivatives& of, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  PoissonSolver& solver = this->With(this->Boundary, PartOfContext(context, 0.0, 0.4));
+  Vector<double> u = this->Solve(solver, -of.Divergence, stop, PartOfContext(context, 0.4, 0.7));
+  Vector<double> psi = this->Solve(solver, -of.Vorticity, stop, PartOfContext(context, 0.7, 1.0));
+  return { std::move(u), std::move(psi) };
 }
 
 void FlowPotentials::CheckNumber(int functions, const std::string& name) const
@@ -99,40 +112,55 @@ void FlowPotentials::CheckNumber(int functions, const std::string& name) const
   }
 }
 
-const Eigen::MatrixXd& FlowPotentials::FunctionsOfLoops(const ExecutionContext& context)
+Eigen::MatrixXd FlowPotentials::FunctionsOf(bool areOpen, const ExecutionContext& context)
 {
-  if (this->StoredFunctions)
+  std::vector<const BoundaryPart*> parts;
+  int component = -1; // the last one that has such a part
+  for (const BoundaryPart& part : this->PartsOfSurface)
   {
-    return *this->StoredFunctions;
-  }
-  std::vector<const BoundaryLoop*> loops;
-  for (std::size_t k = 1; k < this->LoopsOfBoundary.size(); ++k)
-  {
-    if (this->LoopsOfBoundary[k].Component == this->LoopsOfBoundary[k - 1].Component)
+    if (part.IsOpen == areOpen && part.Component == component)
     {
-      loops.push_back(&this->LoopsOfBoundary[k]);
+      parts.push_back(&part);
     }
+    component = part.IsOpen == areOpen ? part.Component : component;
   }
-  const int number = static_cast<int>(loops.size());
-  this->CheckNumber(number, " islands");
+  const int number = static_cast<int>(parts.size());
+  this->CheckNumber(number, areOpen ? " open parts of the boundary" : " islands");
   Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(this->Geometry.Mesh.NumberOfVertices(), number);
-  Eigen::MatrixXd energies(number, number);
+  const std::vector<int>& fixed = areOpen ? this->OpenVertices : this->ClosedVertices;
   for (int k = 0; k < number; ++k)
   {
-    PoissonSolver& solver = this->Fixed(context);
     Vector<double> values = Vector<double>::Zero(functions.rows());
-    values(loops[k]->Vertices).setOnes();
-    const Vector<double> fixed = values(solver.Fixed());
+    values(parts[k]->Vertices).setOnes();
     const double step = 1.0 / number;
-    functions.col(k) = solver.Solve({}, fixed, StopOfFunctions, PartOfContext(context, step * k, step * (k + 1)));
-    const Vector<Complex> gradient = GradientOnFaces(this->Geometry, functions.col(k), context);
-    energies.col(k) = -functions.transpose() * IntegratedDerivatives(this->Geometry, gradient, context).Divergence;
+    functions.col(k) = this->With(fixed, context)
+                         .Solve({}, values(fixed), StopOfFunctions, PartOfContext(context, step * k, step * (k + 1)));
   }
-  const Eigen::MatrixXd symmetric = energies.selfadjointView<Eigen::Upper>();
-  this->Energies.compute(symmetric);
-  this->StoredFunctions = std::move(functions);
-  this->CountsOfStages.Functions += number > 0 ? 1 : 0;
+  return functions;
+}
+
+const Eigen::MatrixXd& FlowPotentials::FunctionsOfCoasts(const ExecutionContext& context)
+{
+  if (!this->StoredFunctions)
+  {
+    Eigen::MatrixXd functions = this->FunctionsOf(false, context);
+    Eigen::MatrixXd energies(functions.cols(), functions.cols());
+    for (Eigen::Index k = 0; k < functions.cols(); ++k)
+    {
+      const Vector<Complex> gradient = GradientOnFaces(this->Geometry, functions.col(k), context);
+      energies.col(k) = -functions.transpose() * IntegratedDerivatives(this->Geometry, gradient, context).Divergence;
+    }
+    const Eigen::MatrixXd symmetric = energies.selfadjointView<Eigen::Upper>();
+    this->Energies.compute(symmetric);
+    this->CountsOfStages.Functions += functions.cols() > 0 ? 1 : 0;
+    this->StoredFunctions = std::move(functions);
+  }
   return *this->StoredFunctions;
+}
+
+Eigen::MatrixXd FlowPotentials::FunctionsOfOpenParts(const ExecutionContext& context)
+{
+  return this->FunctionsOf(true, context);
 }
 
 }

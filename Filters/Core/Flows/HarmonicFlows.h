@@ -7,13 +7,13 @@ namespace dmg
 {
 
 /// An orthonormal basis of the flows with neither divergence nor vorticity, 2 #F x k: components of vectors in the frames of the faces
-/// (HodgeDecomposition.md). With a closed boundary none flows through it, and nothing from one loop to another; with an open one, none
-/// runs along it.
-/// \param potentials of the surface, whose solver is used.
+/// (HodgeDecomposition.md). None flows through a coast or has a circulation along one, and none runs along an open part of the boundary.
+/// \param potentials of the surface, with its boundary.
 /// \throw InvalidInput they are too many to hold.
 /// \throw Cancelled
-/// Cost: a solve for each homology generator, and one for each loop of the boundary if potentials has not made its functions.
-Eigen::MatrixXd HarmonicFlows(FlowPotentials& potentials, FlowBoundary boundary, const ExecutionContext& context);
+/// Cost: a solve for each homology generator and for each open part of the boundary, and one for each coast if potentials has not made
+/// its functions.
+Eigen::MatrixXd HarmonicFlows(FlowPotentials& potentials, const ExecutionContext& context);
 
 }
 

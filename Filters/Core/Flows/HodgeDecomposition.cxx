@@ -53,15 +53,18 @@ public:
   Internals(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options, bool isGlobe)
     : Geometry(surface)
     , Sides(FindSides(surface.Mesh, isGlobe))
-    , Boundary(boundary)
+    , IsOpen(OpenEdges(surface.Mesh, boundary))
     , Areas(surface.Mesh.FaceAreas())
     , Potentials(surface, options)
   {
+    this->Potentials.SetBoundary(this->IsOpen);
   }
 
   void AddGradient(const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
   void AddRotational(const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
   void AddHarmonic(const Vector<Complex>& flow, DecomposedFlow& parts, const ExecutionContext& context);
+  void AddSteering(
+    const Vector<Complex>& flow, const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
   void AddBoundaries(DecomposedFlow& parts) const;
   void SeeFromPositiveSide(DecomposedFlow& parts) const;
   void MakeBasis(const ExecutionContext& context);
@@ -69,7 +72,7 @@ public:
 
   const FramedMesh& Geometry;
   const SidesOfSurface Sides;
-  FlowBoundary Boundary;
+  std::vector<char> IsOpen; ///< by edge
   const Vector<double> Areas;
   FlowPotentials Potentials;
   std::optional<Eigen::MatrixXd> Basis;
@@ -91,7 +94,7 @@ void HodgeDecomposition::Internals::TakeReport(DecomposedFlow& parts)
 void HodgeDecomposition::Internals::AddGradient(
   const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context)
 {
-  parts.Potential = this->Potentials.Potential(parts.Derivatives, this->Boundary, stop, context);
+  parts.Potential = this->Potentials.Potential(parts.Derivatives, stop, context);
   this->TakeReport(parts);
   parts.Gradient = GradientOnFaces(this->Geometry, parts.Potential, context);
   parts.GradientEnergy = this->Norm(parts.Gradient);
@@ -100,7 +103,7 @@ void HodgeDecomposition::Internals::AddGradient(
 void HodgeDecomposition::Internals::AddRotational(
   const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context)
 {
-  parts.StreamFunction = this->Potentials.StreamFunction(parts.Derivatives, this->Boundary, stop, context);
+  parts.StreamFunction = this->Potentials.StreamFunction(parts.Derivatives, stop, context);
   this->TakeReport(parts);
   parts.Rotational = QuarterTurn * GradientOnFaces(this->Geometry, parts.StreamFunction, context);
   parts.RotationalEnergy = this->Norm(parts.Rotational);
@@ -110,7 +113,7 @@ void HodgeDecomposition::Internals::MakeBasis(const ExecutionContext& context)
 {
   if (!this->Basis)
   {
-    this->Basis = HarmonicFlows(this->Potentials, this->Boundary, context);
+    this->Basis = HarmonicFlows(this->Potentials, context);
     this->Bases += this->Basis->cols() > 0 ? 1 : 0;
   }
 }
@@ -130,21 +133,31 @@ void HodgeDecomposition::Internals::AddHarmonic(
   parts.HarmonicEnergy = this->Norm(parts.Harmonic);
 }
 
+void HodgeDecomposition::Internals::AddSteering(
+  const Vector<Complex>& flow, const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context)
+{
+  const FlowFunctions inside = this->Potentials.ZeroOnBoundary(parts.Derivatives, stop, context);
+  this->TakeReport(parts);
+  ++this->Solves; // there are two
+  parts.Steering = flow - GradientOnFaces(this->Geometry, inside.Potential, context) -
+    QuarterTurn * GradientOnFaces(this->Geometry, inside.StreamFunction, context);
+}
+
 void HodgeDecomposition::Internals::AddBoundaries(DecomposedFlow& parts) const
 {
-  const std::vector<BoundaryLoop>& loops = this->Potentials.Loops();
-  const auto number = static_cast<Eigen::Index>(loops.size());
+  const std::vector<BoundaryPart>& all = this->Potentials.Parts();
+  const auto number = static_cast<Eigen::Index>(all.size());
   parts.Flux.resize(number);
   parts.Circulation.resize(number);
   parts.StreamValues.setZero(number);
   for (Eigen::Index k = 0; k < number; ++k)
   {
-    const std::vector<int>& vertices = loops[k].Vertices;
+    const std::vector<int> vertices = all[k].OwnVertices();
     parts.Flux[k] = -parts.Derivatives.Divergence(vertices).sum();
     parts.Circulation[k] = -parts.Derivatives.Vorticity(vertices).sum();
     if (parts.StreamFunction.size() > 0)
     {
-      parts.StreamValues[k] = parts.StreamFunction(vertices).mean();
+      parts.StreamValues[k] = parts.StreamFunction(all[k].Vertices).mean();
     }
   }
 }
@@ -160,7 +173,7 @@ void HodgeDecomposition::Internals::SeeFromPositiveSide(DecomposedFlow& parts) c
   }
   for (Eigen::Index k = 0; k < parts.Circulation.size(); ++k)
   {
-    const double sign = signs[this->Potentials.Loops()[k].Vertices[0]];
+    const double sign = signs[this->Potentials.Parts()[k].Vertices[0]];
     parts.Circulation[k] *= sign;
     parts.StreamValues[k] *= sign;
   }
@@ -178,9 +191,15 @@ HodgeDecomposition::HodgeDecomposition(HodgeDecomposition&&) noexcept = default;
 
 void HodgeDecomposition::SetBoundary(FlowBoundary boundary)
 {
-  if (this->Internal->Boundary != boundary)
+  this->SetBoundary(OpenEdges(this->Internal->Geometry.Mesh, boundary));
+}
+
+void HodgeDecomposition::SetBoundary(const std::vector<char>& isOpen)
+{
+  if (this->Internal->IsOpen != isOpen)
   {
-    this->Internal->Boundary = boundary;
+    this->Internal->IsOpen = isOpen;
+    this->Internal->Potentials.SetBoundary(isOpen);
     this->Internal->Basis.reset();
   }
 }
@@ -206,8 +225,12 @@ DecomposedFlow HodgeDecomposition::Decompose(
   }
   if (wanted.Harmonic)
   {
-    of.AddHarmonic(flow, parts, PartOfContext(context, 0.8, 0.95));
+    of.AddHarmonic(flow, parts, PartOfContext(context, 0.8, 0.9));
     parts.Residual -= parts.Harmonic;
+  }
+  if (wanted.Steering)
+  {
+    of.AddSteering(flow, stop, parts, PartOfContext(context, 0.9, 0.95));
   }
   parts.ResidualEnergy = of.Norm(parts.Residual);
   of.AddBoundaries(parts);
@@ -229,9 +252,9 @@ const Eigen::MatrixXd& HodgeDecomposition::HarmonicBasis(const ExecutionContext&
   return *this->Internal->Basis;
 }
 
-const std::vector<BoundaryLoop>& HodgeDecomposition::Boundaries() const
+const std::vector<BoundaryPart>& HodgeDecomposition::Boundaries() const
 {
-  return this->Internal->Potentials.Loops();
+  return this->Internal->Potentials.Parts();
 }
 
 const SidesOfSurface& HodgeDecomposition::Sides() const

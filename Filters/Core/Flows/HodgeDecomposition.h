@@ -17,6 +17,7 @@ struct FlowParts
   bool Gradient = true;
   bool Rotational = true;
   bool Harmonic = true;
+  bool Steering = false; ///< two solves more
 };
 
 /// A flow as a sum of parts that are orthogonal to each other in the integral over the surface. Parts are vectors on faces,
@@ -30,6 +31,10 @@ struct DecomposedFlow
   /// The flow without all other parts. With all parts computed, it is the variation within rings of faces that functions linear
   /// on faces do not resolve, and vanishes with the size of the faces where the flow is smooth.
   Vector<Complex> Residual;
+  /// The flow that the boundary alone decides: the flow without the gradient of a potential and the turned gradient of a stream function that
+  /// are zero on all of the boundary. It has neither divergence nor vorticity inside, whatever the boundary is. It holds the residual, and
+  /// is no addend of its own.
+  Vector<Complex> Steering;
 
   Vector<double> Potential;      ///< u, at vertices: a mean of zero on each component where no boundary fixes it
   Vector<double> StreamFunction; ///< psi, the same
@@ -43,10 +48,10 @@ struct DecomposedFlow
   double HarmonicEnergy = 0.0;
   double ResidualEnergy = 0.0;
 
-  // One number per boundary loop. They sum to the divergence and the vorticity of the surface.
+  // One number per part of the boundary. They sum to the divergence and the vorticity of the surface.
   Vector<double> Flux;         ///< out of the surface
-  Vector<double> Circulation;  ///< along the loop, with the surface to the left
-  Vector<double> StreamValues; ///< the stream function; its mean over the loop where the boundary is open
+  Vector<double> Circulation;  ///< along the part, with the surface to the left
+  Vector<double> StreamValues; ///< the stream function; its mean over parts that are open
 
   bool Converged = true;
   std::vector<std::string> Warnings; ///< one sentence each, for the user
@@ -54,11 +59,12 @@ struct DecomposedFlow
 
 /// Decomposes flows on one surface (HodgeDecomposition.md):
 ///
-///   boundary  potential u          stream function psi       dimension of the harmonic part
-///   Closed    any                  constant on each loop     2 g
-///   Open      zero on all loops    any                       2 g + b - 1, 2 g on closed components
+///   boundary        potential u           stream function psi       dimension of the harmonic part
+///   Closed          any                   constant on each loop     2 g
+///   Open            zero on all loops     any                       2 g + b - 1, 2 g on closed components
+///   partly open     zero on open parts    constant on each coast    2 g + o - 1, 2 g where o is 0
 ///
-/// for components of genus g with b loops. Solvers and harmonic basis are made when they are first needed and kept: each further flow
+/// for components of genus g with b loops, of which o are open, all or in part. A coast is a loop that is closed, or an arc of one. Solvers and harmonic basis are made when they are first needed and kept: each further flow
 /// costs two solves at most.
 ///
 ///   dmg::HodgeDecomposition hodge(surface, dmg::FlowBoundary::Closed);
@@ -75,17 +81,20 @@ public:
 
   /// Takes another boundary. The set-up of the solvers stays.
   void SetBoundary(FlowBoundary boundary);
+  /// \param isOpen by edge, #E: whether the boundary is open there; else it is closed. Inner edges do not count.
+  void SetBoundary(const std::vector<char>& isOpen);
 
   /// \param flow #F, in the frames of the faces.
   /// \param stop of the solves. Parts are orthogonal to about its tolerance.
-  /// \throw InvalidInput the flow is not finite, has another size, or is longer than 1e40 or shorter than 1e-40 everywhere; harmonic fields or loops are too many to hold.
+  /// \throw InvalidInput the flow is not finite, has another size, or is longer than 1e40 or shorter than 1e-40 everywhere; harmonic fields or coasts are too many to hold.
   /// \throw SolverFailure, Cancelled
   DecomposedFlow Decompose(const Vector<Complex>& flow, const FlowParts& parts = {},
     const StoppingCriteria& stop = { 1e-11, 200 }, const ExecutionContext& context = SerialContext());
 
   /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
-  const std::vector<BoundaryLoop>& Boundaries() const;
+  /// The loops of the boundary; of those that are partly open, their arcs.
+  const std::vector<BoundaryPart>& Boundaries() const;
   /// From which vorticity, stream functions and circulations are seen.
   const SidesOfSurface& Sides() const;
   /// The report of the last solve, without a solver before the first.
@@ -94,7 +103,7 @@ public:
   struct StageCounts
   {
     int Setups = 0; ///< of solvers on the surface
-    int Bases = 0;  ///< of harmonic fields or of stream functions of loops
+    int Bases = 0;  ///< of harmonic fields or of stream functions of coasts
     int Solves = 0; ///< for potentials and stream functions
   };
   StageCounts Counts() const;

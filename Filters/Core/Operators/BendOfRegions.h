@@ -30,10 +30,14 @@ struct BendOfPart
 /// The normals of vertices, #V x 3.
 Points NormalsOfVertices(const FramedMesh& surface, const ExecutionContext& context);
 
-/// The integrals over a third of each face around a vertex.
-/// \param normals of vertices.
-std::vector<BendOfPart> BendsOfVertices(
-  const FramedMesh& surface, const Points& normals, const ExecutionContext& context);
+/// Whether each vertex is on the boundary, #V.
+std::vector<char> AreOnBoundary(const TriangleMesh& mesh);
+
+/// The integrals over a third of each face around a vertex. Faces that touch the boundary, where normals look to one side, have nearly no
+/// weight: they count where there are no others alone.
+/// \param normals, isOnBoundary of vertices.
+std::vector<BendOfPart> BendsOfVertices(const FramedMesh& surface, const Points& normals,
+  const std::vector<char>& isOnBoundary, const ExecutionContext& context);
 
 /// The size of the regions of FindPrincipalDirections.
 struct RegionSize

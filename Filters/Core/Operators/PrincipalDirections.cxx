@@ -20,6 +20,9 @@ constexpr int Grain = 4096;
 /// Ratios of curvatures below this are rounding errors.
 constexpr double SmallestRatio = 1e-6;
 
+/// The weight of faces that touch the boundary, against that of others.
+constexpr double WeightAtBoundary = 1e-6;
+
 /// With normals that are interpolated between the corners, whose derivative is constant: the sum over the corners of
 /// their normals times the gradients of their hat functions.
 BendOfPart BendOfFace(const FramedMesh& surface, const Points& normals, int face)
@@ -62,7 +65,8 @@ private:
 std::vector<BendOfPart> BendsOfRegions(
   const FramedMesh& surface, const RegionSize& region, const ExecutionContext& context)
 {
-  const std::vector<BendOfPart> parts = BendsOfVertices(surface, NormalsOfVertices(surface, context), context);
+  const std::vector<BendOfPart> parts =
+    BendsOfVertices(surface, NormalsOfVertices(surface, context), AreOnBoundary(surface.Mesh), context);
   const BendsOnMesh graph(surface.Mesh, parts);
   const int size = surface.Mesh.NumberOfVertices();
   std::vector<BendOfPart> ofRegions(size);
@@ -134,10 +138,26 @@ Points NormalsOfVertices(const FramedMesh& surface, const ExecutionContext& cont
   return normals;
 }
 
-std::vector<BendOfPart> BendsOfVertices(
-  const FramedMesh& surface, const Points& normals, const ExecutionContext& context)
+std::vector<char> AreOnBoundary(const TriangleMesh& mesh)
+{
+  std::vector<char> are(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    are[vertex] = mesh.IsBoundaryVertex(vertex) ? 1 : 0;
+  }
+  return are;
+}
+
+std::vector<BendOfPart> BendsOfVertices(const FramedMesh& surface, const Points& normals,
+  const std::vector<char>& isOnBoundary, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = surface.Mesh;
+  const auto weightOf = [&](int face)
+  {
+    const auto corners = mesh.FaceCorners().row(face);
+    const bool touches = isOnBoundary[corners[0]] || isOnBoundary[corners[1]] || isOnBoundary[corners[2]];
+    return (touches ? WeightAtBoundary : 1.0) / 3.0;
+  };
   std::vector<BendOfPart> ofVertices(mesh.NumberOfVertices());
   context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
     [&](int first, int last)
@@ -145,10 +165,15 @@ std::vector<BendOfPart> BendsOfVertices(
       for (int vertex = first; vertex < last; ++vertex)
       {
         BendOfPart& sum = ofVertices[vertex];
-        mesh.VisitFan(
-          vertex, [&](int halfedge) { sum += BendOfFace(surface, normals, TriangleMesh::FaceOf(halfedge)); });
-        sum.Bend /= 3.0;
-        sum.Area /= 3.0;
+        mesh.VisitFan(vertex,
+          [&](int halfedge)
+          {
+            const int face = TriangleMesh::FaceOf(halfedge);
+            BendOfPart part = BendOfFace(surface, normals, face);
+            part.Bend *= weightOf(face);
+            part.Area *= weightOf(face);
+            sum += part;
+          });
       }
     });
   return ofVertices;

@@ -46,7 +46,8 @@ struct PrincipalDirections
 /// Testing/Benchmarks/README.md.
 ///
 /// A larger scale withstands more noise and sees less detail; without noise, the error of curvatures grows with the square
-/// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
+/// of it. Faces that touch the boundary, where normals look to one side, count in regions without other faces alone: at the boundary the error
+/// grows with the scale.
 /// \param scale finite, >= 0.
 /// \throw Cancelled
 /// Cost: O(scale^2) for each vertex, and at most O(scale^4) near vertices of many neighbours.

@@ -176,12 +176,14 @@ std::vector<BendOfPart> BendsAtOwned(const PieceOfSurface& piece, const Executio
   struct Normal
   {
     double Numbers[3];
+    char IsOnBoundary; ///< which owners know alone
   };
   std::vector<Normal> owned;
   for (int i = 0; i < piece.NumberOfOwned(); ++i)
   {
     const Vector3 normal = piece.Surface().Vertices.Normal(piece.FirstOwned() + i);
-    owned.push_back({ { normal[0], normal[1], normal[2] } });
+    const bool isOnBoundary = piece.Surface().Mesh.IsBoundaryVertex(piece.FirstOwned() + i);
+    owned.push_back({ { normal[0], normal[1], normal[2] }, static_cast<char>(isOnBoundary ? 1 : 0) });
   }
   const std::vector<Normal> all = piece.WithGhosts<Normal>(owned);
   std::vector<BendOfPart> bends;
@@ -189,11 +191,13 @@ std::vector<BendOfPart> BendsAtOwned(const PieceOfSurface& piece, const Executio
     [&]
     {
       Points normals(piece.NumberOfVertices(), 3);
+      std::vector<char> isOnBoundary(piece.NumberOfVertices());
       for (int vertex = 0; vertex < piece.NumberOfVertices(); ++vertex)
       {
         normals.row(vertex) = Eigen::Map<const Eigen::RowVector3d>(all[vertex].Numbers);
+        isOnBoundary[vertex] = all[vertex].IsOnBoundary;
       }
-      bends = BendsOfVertices(piece.Surface(), normals, context);
+      bends = BendsOfVertices(piece.Surface(), normals, isOnBoundary, context);
     });
   return bends;
 }

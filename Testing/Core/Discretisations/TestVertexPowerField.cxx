@@ -1,5 +1,6 @@
 #include "Discretisations/VertexPowerField.h"
 
+#include "Constraints/SurfaceFeatures.h"
 #include "FieldSolver.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Support/ComplexPairs.h"
@@ -273,6 +274,39 @@ TEST(VertexPowerField, DirectionsAlongSidesHoldTheirEnds)
       EXPECT_NEAR(held.Weights[end], 1.5 * surface.Mesh.FaceArea(face) / areas[held.Elements[end]], 1e-12);
     }
   }
+}
+
+// An ellipse through points at uneven distances.
+TEST(VertexPowerField, TangentsOfTheBoundaryHaveOrderTwoOnUnevenEdges)
+{
+  const auto error = [](int number)
+  {
+    Surface fan{ Points(2 * number + 1, 3), Triangles(2 * number, 3) };
+    const double step = Pi / (2.0 * number);
+    fan.V.row(0).setZero();
+    for (int k = 0; k < 2 * number; ++k)
+    {
+      const double angle = step * (2.0 * k + (k % 2 == 0 ? 0.5 : -0.5)); // distances of 1 and 3 steps
+      fan.V.row(k + 1) << 2.0 * std::cos(angle), std::sin(angle), 0.0;
+      fan.F.row(k) << 0, k + 1, (k + 1) % (2 * number) + 1;
+    }
+    const FramedMesh surface(fan.Mesh());
+    const WeightsOfFaces weights(surface.Mesh, SizesOf(surface.Mesh));
+    const FieldConstraints held =
+      VertexPowerField(surface, 1).Prescribe({ AlongBoundary(surface.Mesh, weights, 1.0), {} }, {});
+    EXPECT_EQ(held.Elements.size(), static_cast<std::size_t>(2 * number));
+    double largest = 0.0;
+    for (std::size_t k = 0; k < held.Elements.size(); ++k)
+    {
+      const Vector3 place = surface.Mesh.Position(held.Elements[k]);
+      const Complex exact = surface.Vertices.ToComplex(held.Elements[k], { -2.0 * place[1], 0.5 * place[0], 0.0 });
+      const Complex found(held.Values[2 * k], held.Values[2 * k + 1]);
+      largest = std::max(largest, std::abs(std::arg(found / exact)));
+    }
+    return largest;
+  };
+  EXPECT_LT(error(16), 0.3 * error(8));
+  EXPECT_LT(error(32), 0.3 * error(16));
 }
 
 TEST(VertexPowerField, IsItsStatedEnergy)

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -143,6 +144,45 @@ TEST(PrincipalDirections, ConvergeWithTheSquareOfTheEdges)
   EXPECT_LT(errors[1].Curvature, 0.35 * errors[0].Curvature);
   EXPECT_LT(errors[2].Curvature, 0.35 * errors[1].Curvature);
   EXPECT_LT(errors[2].Degrees, errors[1].Degrees);
+}
+
+// Of the saddle z = (x^2 - y^2) / 2, by the first and second fundamental forms of a graph.
+TEST(PrincipalDirections, ConvergeAtTheBoundary)
+{
+  const auto exactAt = [](double x, double y)
+  {
+    Eigen::Matrix2d first, second;
+    first << 1.0 + x * x, -x * y, -x * y, 1.0 + y * y;
+    second << -1.0, 0.0, 0.0, 1.0; // positive where it bends away from the normal
+    const Eigen::Matrix2d shape = first.inverse() * second / std::sqrt(1.0 + x * x + y * y);
+    const double mean = 0.5 * shape.trace(), half = std::sqrt(mean * mean - shape.determinant());
+    return std::array<double, 2>{ mean + half, mean - half };
+  };
+  const auto errorOf = [&](int n, double scale)
+  {
+    Surface saddle = IrregularPlane(n, n, 3);
+    for (int i = 0; i < saddle.V.rows(); ++i)
+    {
+      const double x = 2.0 * saddle.V(i, 0) / n - 1.0, y = 2.0 * saddle.V(i, 1) / n - 1.0;
+      saddle.V.row(i) << x, y, 0.5 * (x * x - y * y);
+    }
+    const FramedMesh framed(saddle.Mesh());
+    const PrincipalCurvatures found = FindPrincipalDirections(framed, scale).Vertices;
+    double squares = 0.0, sizes = 0.0;
+    for (int v = 0; v < framed.Mesh.NumberOfVertices(); ++v)
+    {
+      if (framed.Mesh.IsBoundaryVertex(v))
+      {
+        const auto [maximum, minimum] = exactAt(saddle.V(v, 0), saddle.V(v, 1));
+        squares += std::pow(found.Maximum[v] - maximum, 2) + std::pow(found.Minimum[v] - minimum, 2);
+        sizes += maximum * maximum + minimum * minimum;
+      }
+    }
+    return std::sqrt(squares / sizes);
+  };
+  const double coarse = errorOf(32, 3.0);
+  EXPECT_LT(coarse, 0.15);
+  EXPECT_LT(errorOf(128, 3.0), 0.45 * coarse); // the regions are a quarter as large
 }
 
 TEST(PrincipalDirections, WithstandNoiseWhichALargerScaleWithstandsBetter)
