@@ -18,9 +18,6 @@
  *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
  *   the neighbours.
  *
- * With an array of 1 component chosen with index 3, the boundary is open along cells, or between two points, where it is neither 0 nor
- * NaN, and closed elsewhere.
- *
  * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
  * that can only be fill values, infinite or 1e8 times the median, are an error. Vectors of a cell stand at the mean of its corners.
  *
@@ -30,8 +27,7 @@
  *
  * - the second output of vtkHarmonicFieldSolver with its array OneForm;
  * - velocities of C-grid models, as of MPAS: the component of the flow that is normal to the side between two cells goes along the line
- *   between their centres. The surface is the triangulation whose points are these centres. It ends half a cell before each coast: of
- *   an even flow between coasts, transports lack one part in N cells.
+ *   between their centres. The surface is the triangulation whose points are these centres.
  *
  * A 1-form that is closed, as the differences of a function, has vectors without vorticity, to rounding. Else a face has the vector of
  * the Whitney interpolant at its centre.
@@ -61,7 +57,7 @@
  * | FlowShares                                  | 4          | of the parts in the first                                            |
  * | HarmonicCoefficients                        | dimension  | of the harmonic part in an orthonormal basis                         |
  * | BoundaryPoint, BoundaryLength               | boundaries | a point of each loop, and its length; of a component the longest first |
- * | BoundaryIsOpen                              | boundaries | 1 for open ones; arcs of a partly open loop have a tuple each |
+ * | BoundaryIsOpen                              | boundaries | 1 for open ones                                                      |
  * | BoundaryCirculation                         | boundaries | along it, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
@@ -82,8 +78,7 @@
  *
  * @section vtkHodgeDecomposition-Execution Execution
  *
- * Two solves for each flow, four with SteeringFlow; one more, once, for each island, and for each open part and each loop around handles
- * and holes (HarmonicPart).
+ * Two solves for each flow; one more, once, for each island, and for each open part and loop around handles and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
  * times pass through. Where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the
  * surface.
@@ -119,7 +114,11 @@ public:
   {
     /** The integral of the flow along the line: flow times length, in the unit of the points. */
     Integrals = 0,
-    /** The component of the flow along the line, in the unit of the flow: the integral is that times the length. */
+    /**
+     * The component of the flow along the line, in the unit of the flow: the integral is that times the length. The surface between the
+     * centres of a C-grid's cells ends half a cell before each coast, and transports lack what flows there: of an even flow between two
+     * coasts with N cells, one part in N.
+     */
     Components = 1
   };
 
@@ -158,7 +157,9 @@ public:
 
   ///@{
   /**
-   * The meaning of the surface's boundary for the flow, where no array says it (index 3 of SetInputArrayToProcess). Default Closed.
+   * The meaning of the surface's boundary for the flow. Default Closed. Where an array of 1 component is chosen with index 3 of
+   * SetInputArrayToProcess, the boundary is open along the cells, or between two points, for which it is neither 0 nor NaN, and closed
+   * elsewhere. Of a boundary that is partly open, each arc then counts as a boundary in the outputs.
    */
   vtkSetMacro(Boundary, int);
   vtkGetMacro(Boundary, int);

@@ -146,7 +146,7 @@ struct Side
 
 using SidesOfEdges = std::map<std::pair<int, int>, std::vector<Side>>;
 
-/// As for the solver, triangles that have a corner twice, or that are there already, take no part.
+/// Finds the sides of each edge. Triangles that have a corner twice, or that are there already, take no part, as for the solver.
 /// \param joined the point that stands for a point.
 SidesOfEdges FindSides(const std::vector<Face>& triangles, const std::map<int, int>& joined)
 {
