@@ -35,10 +35,10 @@ def was_gathered(output):
 
 sphere = simple.Sphere(ThetaResolution=THETA, PhiResolution=PHI)
 field = simple.DirectionalField(Input=sphere)
-outputs, (surface, lines, spheres) = update(field)
+outputs, (surface, lines, spheres, paths) = update(field)
 assert surface == 2 * THETA * (PHI - 2), surface
 assert was_gathered(outputs[0]) != was_gathered(outputs[1]), "the surface, or its lines where it stays in pieces"
-assert lines > 50 and spheres > 0, (lines, spheres)
+assert lines > 50 and spheres > 0 and paths == 0, (lines, spheres, paths)
 
 # The pipeline goes on, and on again with other properties.
 glyphs = simple.FieldGlyphs(Input=simple.OutputPort(field, 0))
@@ -48,3 +48,11 @@ assert update(glyphs)[1][0] > 100
 singularities = simple.FieldSingularities(Input=simple.OutputPort(field, 0))
 points, cuts, loops, spheres = update(singularities)[1]
 assert points > 0 and loops == 0, (points, loops)  # a seam would be a boundary
+
+# A volume in pieces: its skin is that of the whole, without sides between pieces.
+block = simple.AppendDatasets(Input=[simple.Wavelet(WholeExtent=[0, 6, 0, 6, 0, 6])])
+field = simple.DirectionalField(Input=block)
+outputs, (skin, lines, *_) = update(field)
+assert skin == 6 * 6 * 6 and lines > 5 and was_gathered(outputs[0]), (skin, lines)
+singularities = simple.FieldSingularities(Input=simple.OutputPort(field, 0))
+assert update(singularities)[1][2] == 0  # no boundary

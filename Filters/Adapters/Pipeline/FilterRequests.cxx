@@ -242,6 +242,13 @@ void CheckInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInfor
     });
 }
 
+/// Collective: whether some rank has a piece of a volume.
+bool AreOfVolume(const RanksOfPipeline& ranks, vtkInformationVector** inputs)
+{
+  const std::vector<long long> all = ranks.Gather(IsVolume(vtkDataSet::GetData(inputs[0])) ? 1LL : 0LL);
+  return std::count(all.begin(), all.end(), 0LL) < static_cast<long long>(all.size());
+}
+
 /// Makes the outputs of all ranks in pieces, without ghosts and strips. \return the reason why it has not.
 std::string MakeInPieces(const RanksOfPipeline& ranks, const MakeInPiecesFunction& inPieces, vtkAlgorithm* algorithm,
   vtkInformationVector** inputs, vtkInformationVector* outputs, const ExecutionContext& context)
@@ -270,7 +277,11 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
     return;
   }
   std::string reason = "this filter works on whole surfaces";
-  if (inPieces && AreDifferentPieces(ranks, inputs[0]))
+  if (AreOfVolume(ranks, inputs))
+  {
+    reason = "the skin of a volume is that of the whole";
+  }
+  else if (inPieces && AreDifferentPieces(ranks, inputs[0]))
   {
     reason = MakeInPieces(ranks, inPieces, algorithm, inputs, outputs, context);
     if (reason.empty())
