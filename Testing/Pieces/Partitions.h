@@ -2,8 +2,8 @@
 #define dmgTestPartitions_h
 
 #include "Constraints/Constraints.h"
-#include "Pieces/PieceOfSurface.h"
-#include "Pieces/SeamSides.h"
+#include "Pieces/Surface/PieceOfSurface.h"
+#include "Pieces/Surface/SeamSides.h"
 #include "Support/MeshFactory.h"
 
 #include <functional>

@@ -1,4 +1,4 @@
-#include "Pieces/ConstraintsInPieces.h"
+#include "Pieces/Constraints/ConstraintsInPieces.h"
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "Partitions.h"

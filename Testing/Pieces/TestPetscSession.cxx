@@ -1,4 +1,4 @@
-#include "Pieces/PetscSession.h"
+#include "Pieces/Solvers/PetscSession.h"
 
 #include "Partitions.h"
 #include "Pieces/FieldSolverInPieces.h"

@@ -1,5 +1,5 @@
-#include "Pieces/PieceComponents.h"
-#include "Pieces/PieceOfSurface.h"
+#include "Pieces/Surface/PieceComponents.h"
+#include "Pieces/Surface/PieceOfSurface.h"
 
 #include "Partitions.h"
 

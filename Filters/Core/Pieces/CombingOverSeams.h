@@ -2,7 +2,7 @@
 #define dmgCombingOverSeams_h
 
 #include "Field.h"
-#include "Pieces/PieceOfSurface.h"
+#include "Pieces/Surface/PieceOfSurface.h"
 
 namespace dmg
 {

@@ -2,12 +2,12 @@
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "Pieces/CombingOverSeams.h"
-#include "Pieces/ConstraintsAtOwned.h"
-#include "Pieces/ConstraintsInPieces.h"
-#include "Pieces/EquationsInPieces.h"
-#include "Pieces/PetscSession.h"
+#include "Pieces/Constraints/ConstraintsAtOwned.h"
+#include "Pieces/Constraints/ConstraintsInPieces.h"
 #include "Pieces/ProblemAgreement.h"
-#include "Pieces/SetupInPieces.h"
+#include "Pieces/Solvers/EquationsInPieces.h"
+#include "Pieces/Solvers/PetscSession.h"
+#include "Pieces/Solvers/SetupInPieces.h"
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 

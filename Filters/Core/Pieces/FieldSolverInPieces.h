@@ -3,8 +3,8 @@
 
 #include "Field.h"
 #include "FieldProblem.h"
-#include "Pieces/PieceOfSurface.h"
 #include "Pieces/ReasonToGather.h"
+#include "Pieces/Surface/PieceOfSurface.h"
 #include "Setup/StageCounts.h"
 #include "Support/ExecutionContext.h"
 

@@ -2,7 +2,7 @@
 #define dmgProblemAgreement_h
 
 #include "FieldProblem.h"
-#include "Pieces/Ranks.h"
+#include "Pieces/Surface/Ranks.h"
 
 namespace dmg
 {

@@ -5,8 +5,8 @@
 // Prints how many requests there were, or what all ranks throw.
 
 #include "Pieces/FieldSolverInPieces.h"
-#include "Pieces/PetscSession.h"
-#include "Pieces/Ranks.h"
+#include "Pieces/Solvers/PetscSession.h"
+#include "Pieces/Surface/Ranks.h"
 
 #include "../Partitions.h"
 #include "Support/Errors.h"
