@@ -102,7 +102,7 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
 /// First directions of vertices: the nearest to those of the faces around.
-/// \param turnFromFace(halfedge) carries directions from its face into the frame of its tail.
+/// \param turnFromFace the rotation, for a halfedge, of directions from its face into the frame of its tail.
 Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const std::function<Complex(int)>& turnFromFace,
   const Vector<Complex>& ofFaces, const Vector<Complex>& vertexPowers, int N,
   const ExecutionContext& context = SerialContext());
