@@ -137,7 +137,8 @@ int vtkHodgeDecomposition::RequestData(
                                       : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },
                                           input, surface.Surface(), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart, this->SteeringFlow },
-      this->Derivatives, this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift };
+      this->Derivatives, this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift,
+      edges && this->EdgeValues == Components };
     dmg::WarnOfPreparation(this, surface.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());

@@ -117,7 +117,7 @@ public:
     /**
      * The component of the flow along the line, in the unit of the flow: the integral is that times the length. The surface between the
      * centres of a C-grid's cells ends half a cell before each coast, and transports lack what flows there: of an even flow between two
-     * coasts with N cells, one part in N.
+     * coasts with N cells, one part in N. The field data array BoundaryHalfCell has the width of that strip for each boundary.
      */
     Components = 1
   };

@@ -285,6 +285,35 @@ class Coasts(unittest.TestCase):
             hodge(sea, "U", open_boundary="coast")
 
 
+class CGrids(unittest.TestCase):
+    def test_transports_lack_the_flow_of_half_a_cell_at_each_coast_which_is_told(self):
+        """A flow of speed 1 around a cylinder of height 1, whose rows of hexagons have their normal velocities."""
+        rows, columns = 8, 60
+        at, triangles = [], []
+        for j in range(rows):
+            for i in range(columns):
+                angle = 2 * np.pi * (i + 0.5 * (j % 2)) / columns
+                at.append((np.cos(angle), np.sin(angle), (j + 0.5) / rows))
+                a, b = j * columns + i, j * columns + (i + 1) % columns
+                c, d = a + columns, b + columns
+                triangles += [] if j == rows - 1 else [(a, b, c), (b, d, c)] if j % 2 == 0 else [(a, b, d), (a, d, c)]
+        at, lines = np.array(at), vtkCellArray()
+        edges = np.array(sorted({tuple(sorted((t[k], t[k - 1]))) for t in triangles for k in range(3)}))
+        for edge in edges:
+            lines.InsertNextCell(2, [int(each) for each in edge])
+        centres = surface(at, np.array(triangles))
+        velocities = vtkPolyData()
+        velocities.SetPoints(centres.GetPoints())
+        velocities.SetLines(lines)
+        along, middle = at[edges[:, 1]] - at[edges[:, 0]], (at[edges[:, 1]] + at[edges[:, 0]]) / 2
+        east = np.stack([-middle[:, 1], middle[:, 0], 0 * middle[:, 0]], 1) / np.hypot(middle[:, 0], middle[:, 1])[:, None]
+        add(velocities.GetCellData(), "velocity", (east * along).sum(1) / np.linalg.norm(along, axis=1))
+        data = hodge(centres, edges=velocities, EdgeArray="velocity", EdgeValues="Components").GetFieldData()
+        transport = np.ptp(values(data, "BoundaryStreamFunction"))
+        self.assertAlmostEqual(transport, 1 - 1 / rows, delta=1e-3)
+        self.assertAlmostEqual(transport + values(data, "BoundaryHalfCell").sum(), 1, delta=1e-3)
+
+
 class SteeringFlow(unittest.TestCase):
     def test_is_the_wind_that_a_storm_stands_in(self):
         """Of a vortex and an inflow whose potentials are zero at the boundary to three digits."""

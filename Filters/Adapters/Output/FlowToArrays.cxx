@@ -232,6 +232,23 @@ void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double s
   arrays.AddNumbers(HarmonicCoefficients, scale * parts.Coefficients);
 }
 
+/// The widths of half the first row of triangles beside each boundary: their area over the length of the boundary. Where the points are
+/// centres of cells, the flow of such a strip is missing in transports.
+Vector<double> HalfCells(const TriangleMesh& mesh, const std::vector<BoundaryPart>& all)
+{
+  Vector<double> widths = Vector<double>::Zero(static_cast<Eigen::Index>(all.size()));
+  for (Eigen::Index k = 0; k < widths.size(); ++k)
+  {
+    const std::vector<int>& vertices = all[k].Vertices;
+    for (std::size_t i = 0; i < vertices.size() - (all[k].IsLoop ? 0 : 1); ++i)
+    {
+      widths[k] += mesh.FaceArea(TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertices[i])));
+    }
+    widths[k] /= all[k].Length > 0.0 ? all[k].Length : 1.0;
+  }
+  return widths;
+}
+
 void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const std::vector<BoundaryPart>& all,
   const SurfaceRelation& relation, double scale)
 {
@@ -339,6 +356,11 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
+  output->GetFieldData()->RemoveArray(BoundaryHalfCell);
+  if (options.IsOfCentres)
+  {
+    arrays.AddNumbers(BoundaryHalfCell, scale * HalfCells(on.Mesh, this->Decomposition->Boundaries()));
+  }
   MakeBoundaries(on.Mesh, this->Decomposition->Boundaries(), parts, options, boundaries);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational || options.Parts.Steering;
   AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());

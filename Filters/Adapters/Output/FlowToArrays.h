@@ -27,6 +27,7 @@ struct FlowOptions
   int NumberOfContours = 0;  ///< of the stream function
   int ReferenceBoundary = 0; ///< against which transports of boundaries are measured
   double Lift = 0.0;         ///< of these lines off the surface, relative to the diagonal of its bounding box
+  bool IsOfCentres = false;  ///< the surface ends at the centres of cells, half a cell before its boundary
 };
 
 /// The arrays of vectors among those that FlowSurface adds.

@@ -54,6 +54,7 @@ inline constexpr const char* BoundaryLength = "BoundaryLength";
 inline constexpr const char* Boundary = "Boundary";
 inline constexpr const char* BoundaryTransport = "BoundaryTransport";
 inline constexpr const char* BoundaryIsOpen = "BoundaryIsOpen";
+inline constexpr const char* BoundaryHalfCell = "BoundaryHalfCell";
 inline constexpr const char* BoundaryCirculation = "BoundaryCirculation";
 inline constexpr const char* BoundaryFlux = "BoundaryFlux";
 inline constexpr const char* BoundaryStreamFunction = "BoundaryStreamFunction";

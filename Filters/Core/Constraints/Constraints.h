@@ -19,8 +19,8 @@ struct Constraint
   int Element;       ///< a face or a vertex: the list that holds the constraint says which
   Vector3 Direction; ///< in space; its part in the tangent plane of the element counts
   double Weight;     ///< > 0
-  /// On a face that is followed along one of its sides only, this side, 0 to 2; else -1. Fields at vertices then count it at
-  /// both ends of the side.
+  /// The side of a face, 0 to 2, that is followed alone; fields at vertices count it at both of its ends. -1 is the whole face, and -2 a line
+  /// that runs somewhere over it.
   int Side = -1;
 };
 

@@ -193,7 +193,7 @@ bool Projection::AddPart(const SegmentPart& part, const Element& element)
   // A chord leans into the surface; that says nothing about how strong the field shall be.
   const double length = element.Direction ? 1.0 : std::abs(tangential);
   this->Result.Directions.push_back({ part.Face, frames.ToVector(part.Face, tangential / length),
-    element.Weight * this->Weights.OfLine(part.Face, part.Length) });
+    element.Weight * this->Weights.OfLine(part.Face, part.Length), -2 });
   return true;
 }
 

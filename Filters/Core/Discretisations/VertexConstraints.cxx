@@ -131,7 +131,7 @@ std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector
   for (const Constraint& onFace : onFaces)
   {
     CheckElement(onFace.Element, mesh.NumberOfFaces(), "face");
-    isPrescribed[onFace.Element] |= onFace.Side < 0;
+    isPrescribed[onFace.Element] |= onFace.Side == -1;
   }
   std::vector<char> isSurrounded(mesh.NumberOfVertices(), 1);
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
@@ -153,7 +153,7 @@ std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const Ver
     const int face = onFace.Element;
     CheckElement(face, mesh.NumberOfFaces(), "face");
     const auto isInside = [&](int k) { return isSurrounded[mesh.FaceCorners()(face, k)] != 0; };
-    const bool holdsInside = onFace.Side < 0 && (isInside(0) || isInside(1) || isInside(2));
+    const bool holdsInside = onFace.Side == -1 && (isInside(0) || isInside(1) || isInside(2));
     const Complex v = TangentialPart(surface.Faces, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
     const double area = mesh.FaceArea(face);
     for (int k = 0; k < 3; ++k)

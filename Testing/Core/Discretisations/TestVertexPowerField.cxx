@@ -1,5 +1,6 @@
 #include "Discretisations/VertexPowerField.h"
 
+#include "Constraints/Guides.h"
 #include "Constraints/SurfaceFeatures.h"
 #include "FieldSolver.h"
 #include "Operators/ConnectionLaplacian.h"
@@ -273,6 +274,29 @@ TEST(VertexPowerField, DirectionsAlongSidesHoldTheirEnds)
     {
       EXPECT_NEAR(held.Weights[end], 1.5 * surface.Mesh.FaceArea(face) / areas[held.Elements[end]], 1e-12);
     }
+  }
+}
+
+// Also where a line passes all faces around a vertex, which are no region that is prescribed as a whole.
+TEST(VertexPowerField, GuidesWeighTheSameWhereverTheyRun)
+{
+  const int n = 40;
+  const FramedMesh surface(IrregularPlane(n, n, 3).Mesh());
+  const NearestPlaces places(surface);
+  const VertexPowerField field(surface, 1);
+  const Vector<double> areas = LumpedMass(surface.Mesh);
+  const WeightsOfFaces weights(surface.Mesh, places.Sizes);
+  const double expected = weights.OfLine(0, n) * surface.Mesh.FaceArea(0); // whatever the face
+  for (double x = 1.02; x < n - 1.0; x += 0.51)
+  {
+    const Guides guide{ { { { { x, 0.0, 0.0 }, { x, 1.0 * n, 0.0 } } } } };
+    const FieldConstraints held = field.Prescribe({ FollowGuides(guide, places).Directions, {} }, {});
+    double sum = 0.0;
+    for (std::size_t k = 0; k < held.Elements.size(); ++k)
+    {
+      sum += held.Weights[k] * areas[held.Elements[k]];
+    }
+    EXPECT_NEAR(sum, expected, 1e-3 * expected) << x;
   }
 }
 
