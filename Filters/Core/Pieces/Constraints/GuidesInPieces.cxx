@@ -272,6 +272,7 @@ struct TravellingDirection
   int Triangle;
   double Numbers[3];
   double Weight;
+  int Side;
 };
 
 std::vector<Constraint> ToTheirRanks(
@@ -282,12 +283,12 @@ std::vector<Constraint> ToTheirRanks(
   {
     const PlaceOnRank& place = triangles[direction.Element].Place;
     const Vector3& v = direction.Direction;
-    toRanks[place.Rank].push_back({ place.Number, { v[0], v[1], v[2] }, direction.Weight });
+    toRanks[place.Rank].push_back({ place.Number, { v[0], v[1], v[2] }, direction.Weight, direction.Side });
   }
   std::vector<Constraint> own;
   for (const TravellingDirection& direction : ranks.Exchange(toRanks).Items)
   {
-    own.push_back({ direction.Triangle, Vector3(direction.Numbers), direction.Weight });
+    own.push_back({ direction.Triangle, Vector3(direction.Numbers), direction.Weight, direction.Side });
   }
   return own;
 }
