@@ -205,10 +205,10 @@ def draw_strokes(window):
 
 
 def export_field(window):
-    """A field as files for remeshers, by their extensions alone."""
+    """A field as files for remeshers, by their extensions alone; then a stroke on it."""
     files = {suffix: window.folder / f"{window.name}-field.{suffix}" for suffix in ("rosy", "rawfield", "sharp")}
     field = window.play("field", window.apply(), window.choose_filter("DirectionalField"), window.apply(),
-                        *map(window.saved_as, files.values()))
+                        *map(window.saved_as, files.values()), window.choose_source("PolyLineSource"))
     triangles = field.GetNumberOfPolys()
     first = vtk_to_numpy(field.GetCellData().GetArray("Direction0"))
     rosy = files["rosy"].read_text().split()
@@ -218,11 +218,11 @@ def export_field(window):
     assert [int(word) for word in raw[:2]] == [4, triangles]
     assert np.abs(np.array(raw[2:], float).reshape(-1, 4, 3).sum(axis=1)).max() < 1e-6  # those of a cross cancel
     assert files["sharp"].read_text() == "0\n"  # of a sphere
+    place_third_point(window)
 
 
 def place_third_point(window):
     """A stroke of three points on the surface: both ends by keys, one inserted on the line by Ctrl and a click, and placed by P."""
-    window.play("surface", window.apply(), window.choose_source("PolyLineSource"))
     window.press(1, (640, 420))
     window.press(2, (820, 480))
     xdotool("mousemove", 730, 450)
@@ -323,7 +323,7 @@ def make_quads(window):
 
 
 TESTS = {"Quads": (write_bare_sphere, make_quads),
-         "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors), "ThirdPoint": (write_sphere, place_third_point),
+         "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "FilterFirst": (write_sphere, draw_after_the_filter)}
 
