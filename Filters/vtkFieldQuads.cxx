@@ -51,6 +51,19 @@ std::string SentenceOf(const dmg::QuadReport& report, std::size_t quads)
       " triangles, where a handle, a hole or a component would be lost, which makes " + std::to_string(quads) +
       " quads. ";
   }
+  if (report.SplitFaces > 0)
+  {
+    sentence += std::to_string(report.SplitFaces) +
+      " triangles, of components with few of them, were split into quads that follow no field. ";
+  }
+  if (report.LeftOut > 0)
+  {
+    sentence += std::to_string(report.LeftOut) + " pairs of triangles back to back are left out. ";
+  }
+  if (report.CutOff > 0)
+  {
+    sentence += "thin parts at the boundary may be lost at " + std::to_string(report.CutOff / 2) + " places. ";
+  }
   if (report.InvertedQuads > 0)
   {
     sentence += std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian. ";

@@ -13,6 +13,7 @@
 #include "Quads/Isolines/LinesOnSurface.h"
 #include "Quads/Isolines/QuadDefects.h"
 #include "Quads/Isolines/QuadSmoothing.h"
+#include "Quads/Isolines/SplitTriangles.h"
 #include "Quads/Map/SeamlessVariables.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
@@ -35,6 +36,8 @@ constexpr int MostRounds = 6;
 constexpr double FewestQuadsOfComponent = 24.0;
 /// Singularities are split at this distance, in edges of quads.
 constexpr double DistanceOfSplitting = 1.5;
+/// So many triangles are split at least, where other quads do not fit, and as many as there shall be quads.
+constexpr double MostSplitTriangles = 4000.0;
 /// Edges are this much shorter at most where they were halved.
 constexpr double SmallestScale = 1.0 / 64.0;
 /// More quads would take gigabytes.
@@ -163,14 +166,17 @@ private:
     const double factor = std::sqrt(std::max(area, 1e-9) / this->Options.NumberOfQuads);
     const double limited = std::clamp(factor, 1.0 / LargestFactor, LargestFactor);
     this->Lengths *= limited;
+    this->Fit = limited;
     this->Report.LengthOfEdges *= limited;
   }
 
-  /// On a flat surface.
-  double ExpectedQuads(const Vector<double>& lengths) const
+  /// The numbers of quads on each face, if it were flat.
+  Vector<double> ExpectedOnFaces(const Vector<double>& lengths) const
   {
-    return (this->Mesh.FaceAreas().array() / lengths.array().square()).sum();
+    return this->Mesh.FaceAreas().array() / lengths.array().square();
   }
+
+  double ExpectedQuads(const Vector<double>& lengths) const { return this->ExpectedOnFaces(lengths).sum(); }
 
   /// Makes quads, with shorter edges where they do not fit, until they do.
   Round BestRound(const ExecutionContext& context)
@@ -182,8 +188,9 @@ private:
       const auto part = [round](int k) { return static_cast<double>(round + k) / (MostRounds + 1); };
       Round made = this->MakeRound(this->Lengths.cwiseProduct(scales), PartOfContext(context, part(0), part(1)));
       std::vector<char> areBad = made.Defects.AreBad;
-      const bool isGood = made.Defects.Number == 0;
-      if (!best || made.Defects.Number < best->Defects.Number)
+      const auto badness = [](const QuadDefects& defects) { return std::make_pair(defects.Number, defects.CutOff); };
+      const bool isGood = badness(made.Defects) == std::make_pair(0, 0);
+      if (!best || badness(made.Defects) < badness(best->Defects))
       {
         this->Report.Refinements = round;
         this->BestScales = scales;
@@ -254,7 +261,8 @@ private:
         this->Report.RefinedFaces.push_back(face);
       }
     }
-    if (round.Defects.Number > 0)
+    this->Report.CutOff = round.Defects.CutOff;
+    if (round.Defects.Number > 0 && !this->SplitBadComponents(round))
     {
       this->Report.Error = this->Explained(round.Defects, round.Quads.Size());
     }
@@ -264,6 +272,41 @@ private:
     }
     mesh.Report = std::move(this->Report);
     return mesh;
+  }
+
+  /// Splits the triangles of components with defects, if there are few. Two triangles back to back enclose nothing, and are left out.
+  /// \return whether that is done.
+  bool SplitBadComponents(Round& round)
+  {
+    const std::vector<char>& areBad = round.Defects.AreComponentsBad;
+    const Vector<double> quads = this->Fit * this->Fit * this->ExpectedOnFaces(this->Lengths);
+    std::vector<double> wanted(areBad.size(), 0.0);
+    std::vector<int> triangles(areBad.size(), 0), sides(areBad.size(), 0);
+    for (int h = 0; h < 3 * this->Mesh.NumberOfFaces(); ++h)
+    {
+      const int face = TriangleMesh::FaceOf(h), component = this->Components[face];
+      if (areBad[component])
+      {
+        triangles[component] += h % 3 == 0 ? 1 : 0;
+        sides[component] += this->Mesh.Twin(h) >= 0 ? 1 : 0;
+        wanted[component] += std::max(quads[face], 1e-9) / 3.0;
+      }
+    }
+    for (std::size_t component = 0; component < wanted.size(); ++component)
+    {
+      if (triangles[component] == 2 && sides[component] == 6)
+      {
+        wanted[component] = -1.0;
+        ++this->Report.LeftOut;
+      }
+    }
+    this->Report.EulerOfSurface -= 2 * this->Report.LeftOut;
+    if (std::accumulate(triangles.begin(), triangles.end(), 0) > std::max(quads.sum(), MostSplitTriangles))
+    {
+      return false;
+    }
+    this->Report.SplitFaces = SplitTriangles(this->Mesh, this->Components, wanted, round.Quads, round.Places);
+    return true;
   }
 
   std::string Explained(const QuadDefects& defects, int quads) const
@@ -345,6 +388,7 @@ private:
   const std::vector<int> Components;
   const NearestPlaces Places;
   Vector<double> Lengths;
+  double Fit = 1.0; ///< the factor of FitLengths
   CutSurface Cut;
   std::optional<LinesOnSurface> Lines; ///< of aligned edges
   std::optional<SeamlessMap> Map;

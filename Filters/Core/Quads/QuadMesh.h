@@ -26,10 +26,13 @@ struct QuadReport
   int FlippedFaces = 0;                ///< of the surface, that the map turns over
   int InvertedQuads = 0;               ///< of a scaled Jacobian that is not positive
   double MeanScaledJacobian = 0.0;
-  int EulerOfSurface = 0;
+  int EulerOfSurface = 0; ///< without what is left out
   int EulerOfMesh = 0;
   int Refinements = 0;                ///< rounds in which edges were halved somewhere
   std::vector<int> RefinedFaces = {}; ///< of the surface, where they are shorter than was aimed at; ascending
+  int SplitFaces = 0;                 ///< of components that no other quads fit: three quads each, or more
+  int LeftOut = 0;                    ///< components of two faces back to back that no quads fit
+  int CutOff = 0;                     ///< twice the number of places where a thin part at the boundary may be lost
   /// Empty, or why there are no quads: what of the surface they would lose, and a remedy.
   std::string Error = {};
 };
@@ -55,8 +58,8 @@ struct QuadMesh
 /// Makes a pure quad mesh whose edges follow a cross field. See Quads.md for the method.
 ///
 /// The mesh has the Euler number of the surface, and each edge has a quad on each side, except on the boundary. Where quads are too
-/// large for a handle, a hole or a component, edges are halved there and around it, in up to six rounds. If that does not help, there
-/// are no quads and QuadReport::Error says why; the map is there.
+/// large for a handle, a hole or a component, edges are halved there and around it, in up to six rounds. If that does not help, a
+/// component of few faces has three quads for each of them. Else there are no quads and QuadReport::Error says why; the map is there.
 ///
 /// \param powers the fourth powers of the field's directions, one per face in its frame. A field that follows the boundary and sharp
 ///   edges gives edges along them (FeatureOptions).

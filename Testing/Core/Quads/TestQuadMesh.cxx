@@ -316,6 +316,69 @@ TEST(QuadMesh, KeepsComponentThatIsMuchSmallerThanOneQuad)
   EXPECT_EQ(mesh.Report.EulerOfMesh, 4);
 }
 
+/// A cone of \p sides triangles, closed below by as many.
+Surface DoubleCone(int sides)
+{
+  Surface cone;
+  cone.V.resize(sides + 2, 3);
+  cone.F.resize(2 * sides, 3);
+  cone.V.bottomRows(2) << 0.0, 0.0, 1.0, 0.0, 0.0, 0.0;
+  for (int k = 0; k < sides; ++k)
+  {
+    cone.V.row(k) << std::cos(2.0 * Pi * k / sides), std::sin(2.0 * Pi * k / sides), 0.0;
+    cone.F.row(2 * k) << k, (k + 1) % sides, sides;
+    cone.F.row(2 * k + 1) << (k + 1) % sides, k, sides + 1;
+  }
+  return cone;
+}
+
+// They have no room for the singularities.
+TEST(QuadMesh, OfFewTrianglesHasTheirEulerNumber)
+{
+  Surface triangle;
+  triangle.V = Points::Identity(3, 3);
+  triangle.F.resize(1, 3);
+  triangle.F << 0, 1, 2;
+  const QuadMesh one = QuadsOf(triangle, 3.0);
+  EXPECT_EQ(one.Report.EulerOfMesh, 1);
+  for (const double number : { 20.0, 500.0 })
+  {
+    const QuadMesh mesh = QuadsOf(DoubleCone(5), number);
+    EXPECT_EQ(mesh.Report.EulerOfMesh, 2);
+    EXPECT_LT(static_cast<double>(mesh.Quads.size()), 4.0 * number);
+  }
+}
+
+TEST(QuadMesh, LeavesTrianglesBackToBackOutThatNoQuadsFit)
+{
+  Surface pair;
+  pair.V.resize(3, 3);
+  pair.V << 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.06, 0.001, 0.0;
+  pair.F.resize(2, 3);
+  pair.F << 0, 1, 2, 2, 1, 0;
+  const FramedMesh surface(Union(IrregularSphere(3, 1), pair, { 4, 0, 0 }).Mesh());
+  const QuadMesh mesh = MakeQuads(surface, CrossesOf(surface), NumberOfQuads(200.0));
+  EXPECT_EQ(mesh.Report.Error, "");
+  EXPECT_EQ(mesh.Report.LeftOut, 1);
+  EXPECT_EQ(CountedMesh(mesh.Quads).EulerNumber, 2);
+  EXPECT_EQ(mesh.Report.EulerOfSurface, 2);
+}
+
+// Both sides of the point have the same integer in the map.
+TEST(QuadMesh, OfAcutePointIsGoodWithoutIt)
+{
+  Surface wedge = PlaneGrid(30, 4);
+  for (int point = 0; point < wedge.V.rows(); ++point)
+  {
+    const double along = wedge.V(point, 0) / 30.0;
+    wedge.V(point, 1) *= 0.25 * (1e-4 + along * along);
+    wedge.V(point, 0) = along;
+  }
+  const QuadMesh mesh = QuadsOf(wedge, 100.0);
+  EXPECT_EQ(mesh.Report.EulerOfMesh, 1);
+  EXPECT_GT(mesh.Positions.col(0).maxCoeff(), 1.0 - 1e-9);
+}
+
 TEST(QuadMesh, SplitsSingularityOfIndexOneAtPole)
 {
   const FramedMesh surface(Globe(32, 32).Mesh());

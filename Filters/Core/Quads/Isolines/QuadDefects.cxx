@@ -16,33 +16,35 @@ constexpr int FewestEdgesOfHole = 3;
 class DefectSearch
 {
 public:
-  DefectSearch(
-    const TriangleMesh& mesh, const IsolineArrangement& isolines, const IsolineCells& cells, bool isBoundaryAligned)
+  DefectSearch(const TriangleMesh& mesh, const std::vector<int>& components, const IsolineArrangement& isolines,
+    const IsolineCells& cells, bool isBoundaryAligned)
     : Mesh(mesh)
+    , Components(components)
     , Isolines(isolines)
     , Cells(cells)
     , IsBoundaryAligned(isBoundaryAligned)
   {
     this->Found.AreBad.assign(mesh.NumberOfFaces(), 0);
+    this->Found.AreComponentsBad.assign(1 + *std::max_element(components.begin(), components.end()), 0);
   }
 
-  void CheckComponents(const std::vector<int>& components, const IndexedQuads& quads, const QuadTopology& topology)
+  void CheckComponents(const IndexedQuads& quads, const QuadTopology& topology)
   {
-    const int count = 1 + *std::max_element(components.begin(), components.end());
+    const int count = static_cast<int>(this->Found.AreComponentsBad.size());
     std::vector<int> sizes(count, 0);
     for (const int face : quads.Faces)
     {
-      ++sizes[components[face]];
+      ++sizes[this->Components[face]];
     }
-    const std::vector<int> wanted = EulerNumbers(this->Mesh, components, count);
-    const std::vector<int> given = EulerNumbers(components, count, quads, topology);
+    const std::vector<int> wanted = EulerNumbers(this->Mesh, this->Components, count);
+    const std::vector<int> given = EulerNumbers(this->Components, count, quads, topology);
     for (int component = 0; component < count; ++component)
     {
-      this->Found.Number += sizes[component] == 0 ? 2 : std::abs(wanted[component] - given[component]);
+      this->Add(sizes[component] == 0 ? 2 : std::abs(wanted[component] - given[component]), component);
     }
     for (int face = 0; face < this->Mesh.NumberOfFaces(); ++face)
     {
-      const int component = components[face];
+      const int component = this->Components[face];
       const bool isSmall = sizes[component] < FewestQuads;
       this->SmallComponents.push_back(isSmall);
       this->Found.LostComponent =
@@ -52,11 +54,26 @@ public:
 
   void CheckIndices(const QuadTopology& topology, const IndexedQuads& quads)
   {
-    this->Found.Number += static_cast<int>(topology.Repeated.size() + topology.TwiceInQuad.size());
+    for (const int side : topology.Repeated)
+    {
+      this->Add(1, this->Components[quads.Faces[side / 4]]);
+    }
+    for (const int quad : topology.TwiceInQuad)
+    {
+      this->Add(1, this->Components[quads.Faces[quad]]);
+    }
+    std::vector<int> ofVertices(quads.NumberOfVertices(), 0);
+    for (int quad = 0; quad < quads.Size(); ++quad)
+    {
+      for (const int vertex : quads.Corners[quad])
+      {
+        ofVertices[vertex] = this->Components[quads.Faces[quad]];
+      }
+    }
     for (int vertex = 0; vertex < quads.NumberOfVertices(); ++vertex)
     {
       const bool isLow = !quads.IsOnBoundary[vertex] && topology.Valences[vertex] > 0 && topology.Valences[vertex] < 3;
-      this->Found.Number += isLow || topology.Fans[vertex] > 1 ? 1 : 0;
+      this->Add(isLow || topology.Fans[vertex] > 1 ? 1 : 0, ofVertices[vertex]);
     }
   }
 
@@ -66,18 +83,18 @@ public:
     {
       if (static_cast<int>(this->Isolines.Loops[k].size()) < FewestEdgesOfHole)
       {
-        ++this->Found.Number;
-        const int vertex = this->Mesh.Tail(this->Isolines.LoopHalfedges[k]);
+        const int h = this->Isolines.LoopHalfedges[k], vertex = this->Mesh.Tail(h);
+        this->Add(1, this->Components[TriangleMesh::FaceOf(h)]);
         this->Found.SmallHole = this->Found.SmallHole < 0 ? vertex : this->Found.SmallHole;
       }
     }
     for (int node = this->Isolines.NumberOfCrossings; node < static_cast<int>(this->Isolines.Nodes.size()); ++node)
     {
-      this->Found.Number += this->IsBare(node) ? 1 : 0;
+      this->Found.CutOff += this->IsBare(node) ? 1 : 0;
     }
   }
 
-  /// \pre there are defects.
+  /// \pre there are defects, or parts that may be lost.
   void MarkFaces(const IndexedQuads& before, const QuadTopology& topology, const IndexedQuads& quads)
   {
     this->MarkCells();
@@ -98,6 +115,12 @@ public:
   QuadDefects Found;
 
 private:
+  void Add(int defects, int component)
+  {
+    this->Found.Number += defects;
+    this->Found.AreComponentsBad[component] = this->Found.AreComponentsBad[component] || defects > 0;
+  }
+
   /// Whether an isoline goes from an aligned boundary to another one and crosses no other isoline.
   bool IsBare(int end) const
   {
@@ -191,6 +214,7 @@ private:
   void Mark(int face, bool isBad) { this->Found.AreBad[face] = this->Found.AreBad[face] || isBad; }
 
   const TriangleMesh& Mesh;
+  const std::vector<int>& Components;
   const IsolineArrangement& Isolines;
   const IsolineCells& Cells;
   const bool IsBoundaryAligned;
@@ -203,11 +227,11 @@ QuadDefects FindDefects(const TriangleMesh& mesh, const std::vector<int>& compon
   const IsolineArrangement& isolines, const IsolineCells& cells, const IndexedQuads& before, const IndexedQuads& quads,
   const QuadTopology& topology, bool isBoundaryAligned)
 {
-  DefectSearch search(mesh, isolines, cells, isBoundaryAligned);
-  search.CheckComponents(components, quads, topology);
+  DefectSearch search(mesh, components, isolines, cells, isBoundaryAligned);
+  search.CheckComponents(quads, topology);
   search.CheckIndices(topology, quads);
   search.CheckHoles();
-  if (search.Found.Number > 0)
+  if (search.Found.Number > 0 || search.Found.CutOff > 0)
   {
     search.MarkFaces(before, topology, quads);
   }
