@@ -32,7 +32,8 @@
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, <= 0 if inverted   |
  *
  * The field data say, an int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
- * of the map, InvertedQuads, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller.
+ * of the map, InvertedQuads, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
+ * components that no other quads fit.
  *
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts.
  * A texture that repeats shows the grid.
@@ -42,8 +43,8 @@
  * @section vtkFieldQuads-Execution Execution
  *
  * All is done anew in each execution. It takes a sparse factor of a Laplacian with two unknowns per point, and the cube of the number of
- * singularities, handles and holes. Where quads cannot keep the surface, there is an error that names the place and says how many would,
- * and port 1 alone has data.
+ * singularities, handles and holes. A component that quads of the size cannot keep is split into three quads for each triangle, with a
+ * warning, if its triangles are few. Else there is an error that names the place and says how many would keep it, and port 1 alone has data.
  *
  * @sa vtkHarmonicFieldSolver vtkFieldSingularities
  */
@@ -88,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Whether sharp edges become edges of quads, where the field follows them within 25 degrees and they are part of lines of a tenth of the
-   * surface's size at least. Default on.
+   * Whether sharp edges become edges of quads, where the field follows them within 25 degrees and they are no noise: part of lines of a
+   * tenth of the diagonal of the surface's box at least, and of a fiftieth between two ends, branches or bends. Default on.
    */
   vtkSetMacro(AlignSharpEdges, bool);
   vtkGetMacro(AlignSharpEdges, bool);

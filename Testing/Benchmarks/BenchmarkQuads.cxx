@@ -145,7 +145,10 @@ void Run(
   FieldProblem problem;
   problem.Options.Field.Kind = isOnFaces ? DiscretisationKind::PowerField : DiscretisationKind::VertexPowerField;
   problem.Features.BoundaryWeight = followsFeatures ? 1000.0 : 0.0;
-  problem.Features.SharpEdgesWeight = followsFeatures ? 1000.0 : 0.0;
+  if (followsFeatures)
+  {
+    problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), {}, 1000.0);
+  }
   problem.UnitLengthWhileSmoothing = hasUnitLength;
   const Vector<Complex> powers = solver.Solve(problem).OnFaces.array().pow(4);
   const double field = ProcessorSeconds() - start;

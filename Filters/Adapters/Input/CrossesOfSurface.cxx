@@ -5,6 +5,7 @@
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "FieldSolver.h"
+#include "Quads/Crosses/AlignedEdges.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -71,8 +72,10 @@ CrossesOfSurface Smoothest(
   FieldSolver solver(std::shared_ptr<const FramedMesh>(crosses.Surface, &crosses.Surface->Geometry));
   FieldProblem problem;
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
-  problem.Features.SharpEdgesWeight = options.AlignSharpEdges ? WeightOfAligned : 0.0;
-  problem.Features.FeatureAngle = options.FeatureAngle;
+  if (options.AlignSharpEdges)
+  {
+    problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
+  }
   problem.UnitLengthWhileSmoothing = true;
   const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), crosses.Surface->Relation.Names());
   crosses.Powers = FourthPowers(field.OnFaces);

@@ -113,6 +113,7 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("EulerCharacteristicOfSurface", report.EulerOfSurface);
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));
+  add("SplitTriangles", report.SplitFaces);
 }
 
 /// Valence less 4; 0 on the boundary.

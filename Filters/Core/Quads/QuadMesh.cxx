@@ -10,7 +10,7 @@
 #include "Quads/Isolines/IndexedQuads.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
-#include "Quads/Isolines/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOnSurface.h"
 #include "Quads/Isolines/QuadDefects.h"
 #include "Quads/Isolines/QuadSmoothing.h"
 #include "Quads/Isolines/SplitTriangles.h"

@@ -2,7 +2,7 @@
 #define dmgQuadMesh_h
 
 #include "Mesh/FramedMesh.h"
-#include "Quads/Isolines/SurfacePlace.h"
+#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
 #include "Quads/QuadOptions.h"
 #include "Support/ExecutionContext.h"

@@ -1,8 +1,10 @@
 // Quad meshes of surfaces with known answers.
 
 #include "QuadExamples.h"
+#include "Quads/Crosses/AlignedEdges.h"
 #include "Support/Errors.h"
 #include "Support/LinesAlongEdges.h"
+#include "Support/Random.h"
 #include "Support/TbbContext.h"
 
 #include <algorithm>
@@ -265,6 +267,25 @@ TEST(QuadMesh, HasEdgesAlongAllBoundaryAndSharpEdges)
   Points shifted = mesh.Positions; // the measure sees a third of an edge
   shifted.array() += mesh.Report.LengthOfEdges / 3.0;
   EXPECT_LT(ShareAlongEdges(surface.Mesh, features, mesh.Quads, shifted), 0.1);
+}
+
+TEST(QuadMesh, FollowsSharpLinesButNoNoise)
+{
+  const int n = 12;
+  const FramedMesh cube(Cube(n).Mesh());
+  EXPECT_EQ(AlongSharpLines(cube, {}, 1.0).size(), 2u * 12u * n) << "both faces of each edge";
+  Surface scan = Icosphere(4);
+  Random random(8);
+  for (int point = 0; point < scan.V.rows(); ++point)
+  {
+    scan.V.row(point) *= 1.0 + 0.03 * random.Uniform(-1.0, 1.0);
+  }
+  const FramedMesh noisy(scan.Mesh());
+  AlignmentOptions all;
+  all.ShortestFeature = all.ShortestPart = 0.0;
+  const std::size_t sharp = AlongSharpLines(noisy, all, 1.0).size();
+  EXPECT_GT(sharp, 1000u);
+  EXPECT_LT(AlongSharpLines(noisy, {}, 1.0).size(), 0.3 * static_cast<double>(sharp));
 }
 
 TEST(QuadMesh, OfSphereHasEightVerticesOfThreeQuads)

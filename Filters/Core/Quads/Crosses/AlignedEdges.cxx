@@ -2,9 +2,12 @@
 
 #include "Constraints/SurfaceFeatures.h"
 #include "Mesh/SurfaceSizes.h"
+#include "Quads/Crosses/LinesOnSurface.h"
 #include "Support/DisjointSets.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dmg
 {
@@ -24,21 +27,34 @@ double Deviation(const SurfaceAngles& angles, const CrossField& field, int halfe
   return std::abs(std::remainder(std::arg(AlongSide(angles, field, halfedge)), Pi / 2.0));
 }
 
-/// Sharp edges that the field follows on both sides.
-std::vector<char> SharpEdges(
-  const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options)
+std::vector<Constraint> AlongAllSharpEdges(const FramedMesh& surface, double degrees, double weight)
 {
-  const TriangleMesh& mesh = surface.Mesh;
-  const double largest = options.LargestDeviation * Pi / 180.0;
-  const WeightsOfFaces weights(mesh, SizesOf(mesh));
-  std::vector<char> isSharp(mesh.NumberOfEdges(), 0);
-  for (const Constraint& along : AlongSharpEdges(surface, weights, options.FeatureAngle, 1.0))
+  return AlongSharpEdges(surface, WeightsOfFaces(surface.Mesh, SizesOf(surface.Mesh)), degrees, weight);
+}
+
+/// Removes the parts of lines between two corners that are short.
+void RemoveShortParts(const TriangleMesh& mesh, double shortest, std::vector<char>& isSharp)
+{
+  const LinesOnSurface lines(mesh, isSharp);
+  DisjointSets parts(mesh.NumberOfEdges());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    const int h = 3 * along.Element + along.Side;
-    isSharp[mesh.EdgeOf(h)] =
-      Deviation(angles, field, h) <= largest && Deviation(angles, field, mesh.Twin(h)) <= largest;
+    const std::vector<std::pair<int, int>> edges = lines.EdgesAt(vertex);
+    if (edges.size() == 2 && !lines.IsCorner(vertex))
+    {
+      parts.Unite(edges[0].first, edges[1].first);
+    }
   }
-  return isSharp;
+  std::vector<double> lengths(mesh.NumberOfEdges(), 0.0);
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const auto [a, b] = mesh.EdgeVertices(edge);
+    lengths[parts.Smallest(edge)] += isSharp[edge] ? (mesh.Position(a) - mesh.Position(b)).norm() : 0.0;
+  }
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    isSharp[edge] = isSharp[edge] && lengths[parts.Smallest(edge)] >= shortest;
+  }
 }
 
 /// Removes lines that are short and do not meet the boundary.
@@ -69,6 +85,42 @@ void RemoveShortLines(const TriangleMesh& mesh, double shortest, std::vector<cha
   }
 }
 
+std::vector<char> SharpLines(const FramedMesh& surface, const AlignmentOptions& options)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  std::vector<char> isSharp(mesh.NumberOfEdges(), 0);
+  for (const Constraint& along : AlongAllSharpEdges(surface, options.FeatureAngle, 1.0))
+  {
+    isSharp[mesh.EdgeOf(3 * along.Element + along.Side)] = 1;
+  }
+  const double diagonal = SizesOf(mesh).Diagonal();
+  RemoveShortParts(mesh, options.ShortestPart * diagonal, isSharp);
+  RemoveShortLines(mesh, options.ShortestFeature * diagonal, isSharp);
+  return isSharp;
+}
+
+/// Removes sharp edges that the field does not follow on both sides.
+void RemoveDeviating(const TriangleMesh& mesh, const SurfaceAngles& angles, const CrossField& field, double largest,
+  std::vector<char>& isSharp)
+{
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const int h = mesh.HalfedgeOf(edge);
+    isSharp[edge] =
+      isSharp[edge] && Deviation(angles, field, h) <= largest && Deviation(angles, field, mesh.Twin(h)) <= largest;
+  }
+}
+
+}
+
+std::vector<Constraint> AlongSharpLines(const FramedMesh& surface, const AlignmentOptions& options, double weight)
+{
+  const std::vector<char> isSharp = SharpLines(surface, options);
+  std::vector<Constraint> along = AlongAllSharpEdges(surface, options.FeatureAngle, weight);
+  const auto isNoise = [&](const Constraint& constraint)
+  { return !isSharp[surface.Mesh.EdgeOf(3 * constraint.Element + constraint.Side)]; };
+  along.erase(std::remove_if(along.begin(), along.end(), isNoise), along.end());
+  return along;
 }
 
 std::vector<char> FindAlignedEdges(
@@ -78,7 +130,8 @@ std::vector<char> FindAlignedEdges(
   std::vector<char> isAligned(mesh.NumberOfEdges(), 0);
   if (options.AlignSharpEdges)
   {
-    isAligned = SharpEdges(surface, angles, field, options);
+    isAligned = SharpLines(surface, options);
+    RemoveDeviating(mesh, angles, field, options.LargestDeviation * Pi / 180.0, isAligned);
     RemoveShortLines(mesh, options.ShortestFeature * SizesOf(mesh).Diagonal(), isAligned);
   }
   if (options.AlignBoundary)

@@ -1,6 +1,7 @@
 #ifndef dmgAlignedEdges_h
 #define dmgAlignedEdges_h
 
+#include "Constraints/Constraints.h"
 #include "Mesh/FramedMesh.h"
 #include "Quads/Crosses/CrossField.h"
 
@@ -17,13 +18,18 @@ struct AlignmentOptions
   double FeatureAngle = 30.0;  ///< degrees between the normals of two faces; edges with more are sharp
   /// Lines of sharp edges that are shorter are not followed; relative to the diagonal of the box around the surface.
   double ShortestFeature = 0.1;
+  /// Parts of these lines between two ends, branches or bends that are shorter are noise; relative to that diagonal.
+  double ShortestPart = 0.02;
   /// Sharp edges at a larger angle to the field, in degrees, are not followed.
   double LargestDeviation = 25.0;
 };
 
-/// The edges that shall become lines of edges of quads, as a flag per edge: those of the boundary and sharp ones, as the options say.
-/// Lines of sharp edges that are shorter than AlignmentOptions::ShortestFeature are noise; so are sharp edges that no direction of the field
-/// follows on both of their faces.
+/// Directions along the sharp lines that are no noise, on both of their faces, for the field that quads shall follow.
+/// \param weight as FeatureOptions::SharpEdgesWeight.
+std::vector<Constraint> AlongSharpLines(const FramedMesh& surface, const AlignmentOptions& options, double weight);
+
+/// The edges that shall become lines of edges of quads, as a flag per edge: those of the boundary and of sharp lines, as the options say.
+/// Sharp edges that no direction of the field follows on both of their faces are left out.
 std::vector<char> FindAlignedEdges(
   const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options);
 

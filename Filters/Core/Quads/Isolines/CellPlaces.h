@@ -5,10 +5,10 @@
 #include "Mesh/FramedMesh.h"
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Crosses/CrossField.h"
+#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
-#include "Quads/Isolines/LinesOnSurface.h"
-#include "Quads/Isolines/SurfacePlace.h"
 
 #include <vector>
 

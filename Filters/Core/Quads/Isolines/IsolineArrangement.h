@@ -3,7 +3,7 @@
 
 #include "Mesh/TriangleMesh.h"
 #include "Quads/Crosses/CutSurface.h"
-#include "Quads/Isolines/SurfacePlace.h"
+#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
 
 #include <array>

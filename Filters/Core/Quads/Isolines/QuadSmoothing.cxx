@@ -76,7 +76,8 @@ Vector3 MeanOfNeighbours(const IndexedQuads& quads, const std::vector<int>& arou
   return sum / (2.0 * around.size());
 }
 
-/// The place of the surface, or of the line that holds a vertex, that is near to a position.
+/// The place of the surface, or of the line that holds a vertex, that is near to a position. At a vertex of the surface there may be another
+/// one already, so none moves there.
 SurfacePlace PlaceNear(const NearestPlaces& surface, const LinesOnSurface& lines, const CellPlaces& places, int vertex,
   const Vector3& position)
 {
@@ -86,7 +87,8 @@ SurfacePlace PlaceNear(const NearestPlaces& surface, const LinesOnSurface& lines
     return lines.From(from, position);
   }
   const NearestPlace nearest = surface.From(from.Face, position);
-  return PlaceInFace(surface.Surface.Mesh, nearest.Face, nearest.Position);
+  const SurfacePlace place = PlaceInFace(surface.Surface.Mesh, nearest.Face, nearest.Position);
+  return place.Weights.maxCoeff() < 1.0 ? place : from;
 }
 
 /// The square of any size that is nearest to a quad: its corner 0 is at Middle + Half, and the others follow counter-clockwise.

@@ -2,9 +2,9 @@
 #define dmgQuadSmoothing_h
 
 #include "Constraints/NearestPlaces.h"
+#include "Quads/Crosses/LinesOnSurface.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
-#include "Quads/Isolines/LinesOnSurface.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 #define dmgLinesOnSurface_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/Isolines/SurfacePlace.h"
+#include "Quads/Crosses/SurfacePlace.h"
 
 #include <utility>
 #include <vector>
@@ -22,12 +22,12 @@ public:
   /// Whether lines end, branch or bend at a vertex.
   bool IsCorner(int vertex) const;
   /// The place where walking along a line, from one of its places, comes no nearer to a position. A place stays if it is on no line, or if
-  /// the walk comes to a corner.
+  /// the walk comes to a corner or ends at a vertex, where other places might end, too.
   SurfacePlace From(const SurfacePlace& place, const Vector3& position) const;
-
-private:
   /// The edges of lines at a vertex, with their other ends.
   std::vector<std::pair<int, int>> EdgesAt(int vertex) const;
+
+private:
   /// An edge on which a place is, -1 where there is none.
   int EdgeOf(const SurfacePlace& place) const;
   /// The part of the way along an edge, from one of its ends, where it is nearest to a position.

@@ -1,4 +1,4 @@
-#include "Quads/Isolines/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOnSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,24 +104,17 @@ SurfacePlace LinesOnSurface::From(const SurfacePlace& place, const Vector3& posi
   }
   while (part == 1.0)
   {
-    const int end = OtherEnd(this->Mesh, edge, from);
-    const std::vector<std::pair<int, int>> edges = this->EdgesAt(end);
-    if (this->IsCorner(end))
+    from = OtherEnd(this->Mesh, edge, from);
+    if (this->IsCorner(from))
     {
       return place;
     }
-    const int next = edges[0].first == edge ? edges[1].first : edges[0].first;
-    const double further = this->NearestPart(next, end, position);
-    if (further == 0.0)
-    {
-      break;
-    }
-    edge = next;
-    from = end;
-    part = further;
+    const std::vector<std::pair<int, int>> edges = this->EdgesAt(from);
+    edge = edges[0].first == edge ? edges[1].first : edges[0].first;
+    part = this->NearestPart(edge, from, position);
   }
   const int h = this->Mesh.HalfedgeOf(edge);
-  return OnHalfedge(h, this->Mesh.Tail(h) == from ? part : 1.0 - part);
+  return part == 0.0 ? place : OnHalfedge(h, this->Mesh.Tail(h) == from ? part : 1.0 - part);
 }
 
 }
