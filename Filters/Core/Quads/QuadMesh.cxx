@@ -5,12 +5,12 @@
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/CutSurface.h"
+#include "Quads/Crosses/LinesOnSurface.h"
 #include "Quads/Crosses/PathsAlongEdges.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
-#include "Quads/Crosses/LinesOnSurface.h"
 #include "Quads/Isolines/QuadDefects.h"
 #include "Quads/Isolines/QuadSmoothing.h"
 #include "Quads/Isolines/SplitTriangles.h"
@@ -36,7 +36,7 @@ constexpr int MostRounds = 6;
 constexpr double FewestQuadsOfComponent = 24.0;
 /// Singularities are split at this distance, in edges of quads.
 constexpr double DistanceOfSplitting = 1.5;
-/// So many triangles are split at least, where other quads do not fit, and as many as there shall be quads.
+/// A limit of the triangles that are split where other quads do not fit, if there shall not be more quads.
 constexpr double MostSplitTriangles = 4000.0;
 /// Edges are this much shorter at most where they were halved.
 constexpr double SmallestScale = 1.0 / 64.0;

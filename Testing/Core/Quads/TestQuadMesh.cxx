@@ -274,11 +274,11 @@ TEST(QuadMesh, FollowsSharpLinesButNoNoise)
   const int n = 12;
   const FramedMesh cube(Cube(n).Mesh());
   EXPECT_EQ(AlongSharpLines(cube, {}, 1.0).size(), 2u * 12u * n) << "both faces of each edge";
-  Surface scan = Icosphere(4);
+  Surface scan = Icosphere(5);
   Random random(8);
   for (int point = 0; point < scan.V.rows(); ++point)
   {
-    scan.V.row(point) *= 1.0 + 0.03 * random.Uniform(-1.0, 1.0);
+    scan.V.row(point) *= 1.0 + 0.015 * random.Uniform(-1.0, 1.0);
   }
   const FramedMesh noisy(scan.Mesh());
   AlignmentOptions all;
