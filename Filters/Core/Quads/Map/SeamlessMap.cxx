@@ -147,20 +147,22 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
     }
   }
   K.finalize();
-  const SparseMatrix<double> KR = K * this->Variables.Reals;
+  SparseMatrix<double> KR = K * this->Variables.Reals;
   context.Checkpoint(0.2);
   SparseMatrix<double> H = SparseMatrix<double>(this->Variables.Reals.transpose()) * KR;
-  context.Checkpoint(0.4);
   ShiftDiagonal(H, 1e-10);
   H.makeCompressed();
+  context.Checkpoint(0.4);
+  const SparseMatrix<double> Z = this->Variables.Integers * this->Lattice;
+  this->RealsByIntegers = SparseMatrix<double>(KR.transpose()) * Z;
+  this->Schur = Eigen::MatrixXd(SparseMatrix<double>(Z.transpose()) * SparseMatrix<double>(K * Z));
+  K = SparseMatrix<double>(); // makes room for the factor
+  KR = SparseMatrix<double>();
+  context.Checkpoint(0.5);
   if (H.rows() > 0)
   {
     this->Factor = std::make_unique<CholeskySolver<double>>(H);
   }
-  context.Checkpoint(0.9);
-  const SparseMatrix<double> Z = this->Variables.Integers * this->Lattice;
-  this->RealsByIntegers = SparseMatrix<double>(KR.transpose()) * Z;
-  this->Schur = Eigen::MatrixXd(SparseMatrix<double>(Z.transpose()) * SparseMatrix<double>(K * Z));
   context.Checkpoint(1.0);
 }
 
