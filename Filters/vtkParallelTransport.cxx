@@ -129,11 +129,8 @@ int vtkParallelTransport::RequestData(
       }
       if (this->LogarithmicMap)
       {
-        for (const std::string& text : surface.AddMap(point, this->TextureSize, this->NumberOfCircles, input, output,
-               vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.2, 0.7)))
-        {
-          warn(text);
-        }
+        surface.AddMap(point, this->TextureSize, this->NumberOfCircles, input, output,
+          vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.2, 0.7));
       }
     }
     for (const std::string& text : surface.AddVectors(sources, input, output, dmg::PartOfContext(context, 0.7, 0.9)))

@@ -30,7 +30,10 @@ void RemoveTransportArrays(vtkDataSet* surface)
     surface->GetCellData()->RemoveArray(name);
     surface->GetPointData()->RemoveArray(name);
   }
-  surface->GetFieldData()->RemoveArray(MapPoint);
+  for (const char* const name : { MapPoint, PointsWithoutSource, PointsWithoutMap })
+  {
+    surface->GetFieldData()->RemoveArray(name);
+  }
 }
 
 void TransportSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation,
@@ -93,6 +96,18 @@ PlacedDirection TransportSurface::Place(const Vector3& place, const Vector3& dir
   return placed;
 }
 
+namespace
+{
+
+void AddNumber(const char* name, int number, vtkDataSet* output)
+{
+  const auto array = NewArray(name, 1, 1);
+  array->SetValue(0, static_cast<double>(number));
+  output->GetFieldData()->AddArray(array);
+}
+
+}
+
 std::vector<std::string> TransportSurface::AddVectors(
   const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context)
 {
@@ -104,6 +119,7 @@ std::vector<std::string> TransportSurface::AddVectors(
   ArraysOfPoints(this->Prepared->Relation, input, output->GetPointData(), context)
     .AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
   output->GetPointData()->SetActiveVectors(TransportedVectors);
+  AddNumber(PointsWithoutSource, field.WithoutSource, output);
   return field.Warnings;
 }
 
@@ -131,8 +147,8 @@ void MakeCircles(const TriangleMesh& mesh, const Vector<double>& distances, int 
 
 }
 
-std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles,
-  vtkDataSet* input, vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context)
+void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles, vtkDataSet* input,
+  vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context)
 {
   const FramedMesh& on = this->Prepared->Geometry;
   const dmg::LogarithmicMap map =
@@ -154,12 +170,10 @@ std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, d
   }
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
-  const auto point = NewArray(MapPoint, 1, 1);
-  point->SetValue(0, static_cast<double>(this->Prepared->Relation.PointOf(from.Vertex)));
-  output->GetFieldData()->AddArray(point);
+  AddNumber(MapPoint, this->Prepared->Relation.PointOf(from.Vertex), output);
+  AddNumber(PointsWithoutMap, map.Unreached, output);
   AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
   MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
-  return map.Warnings;
 }
 
 }

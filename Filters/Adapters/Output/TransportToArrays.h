@@ -52,9 +52,8 @@ public:
   /// Adds the arrays of the logarithmic map.
   /// \param textureSize the side of the square that a texture covers; 0: twice the largest distance.
   /// \param circles an empty output; becomes \p numberOfCircles lines of equal distance, evenly spaced.
-  /// \return warnings for the user.
-  std::vector<std::string> AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles,
-    vtkDataSet* input, vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context);
+  void AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles, vtkDataSet* input,
+    vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context);
 
   /// Held by factors.
   long long Bytes() const { return this->Transport->Bytes(); }

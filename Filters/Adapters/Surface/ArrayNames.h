@@ -43,6 +43,8 @@ inline constexpr const char* TextureCoordinates = "TextureCoordinates";
 
 // field data: the same
 inline constexpr const char* MapPoint = "MapPoint";
+inline constexpr const char* PointsWithoutSource = "PointsWithoutSource";
+inline constexpr const char* PointsWithoutMap = "PointsWithoutMap";
 
 // field data: a decomposed flow
 inline constexpr const char* FlowEnergies = "FlowEnergies";

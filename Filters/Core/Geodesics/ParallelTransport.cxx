@@ -142,7 +142,7 @@ public:
   };
   Heat HeatOf(const Constraints& sources) const;
   Vector<Complex> VectorsOnFaces(const Vector<Complex>& atVertices, const ExecutionContext& context) const;
-  std::vector<std::string> WarningsOf(const std::vector<char>& hasSource, const Vector<double>& heat) const;
+  void CountUnreached(const std::vector<char>& hasSource, const Vector<double>& heat, TransportedField& field) const;
   /// The directions in which straight paths from a vertex to all others start, against a unit vector there; zero where no heat arrives.
   Vector<Complex> StraightDirections(int vertex, Complex unit, const ExecutionContext& context);
 
@@ -258,29 +258,21 @@ Vector<Complex> ParallelTransport::Internals::VectorsOnFaces(
   return vectors;
 }
 
-std::vector<std::string> ParallelTransport::Internals::WarningsOf(
-  const std::vector<char>& hasSource, const Vector<double>& heat) const
+void ParallelTransport::Internals::CountUnreached(
+  const std::vector<char>& hasSource, const Vector<double>& heat, TransportedField& field) const
 {
-  int withoutSource = 0;
   int tooFar = 0;
   for (int vertex = 0; vertex < heat.size(); ++vertex)
   {
     const bool isReached = hasSource[this->Components[vertex]] != 0;
-    withoutSource += isReached ? 0 : 1;
+    field.WithoutSource += isReached ? 0 : 1;
     tooFar += isReached && !(heat[vertex] > SmallestHeat) ? 1 : 0;
-  }
-  std::vector<std::string> warnings;
-  if (withoutSource > 0)
-  {
-    warnings.push_back(std::to_string(withoutSource) + " of " + std::to_string(heat.size()) +
-      " points are on components without a direction; the field is zero there.");
   }
   if (tooFar > 0)
   {
-    warnings.push_back(std::to_string(tooFar) + " of " + std::to_string(heat.size()) +
+    field.Warnings.push_back(std::to_string(tooFar) + " of " + std::to_string(heat.size()) +
       " points are too far away for the diffusion; the field is zero there. Raise the time step.");
   }
-  return warnings;
 }
 
 Vector<Complex> ParallelTransport::Internals::StraightDirections(
@@ -338,7 +330,7 @@ TransportedField ParallelTransport::Carry(const Constraints& sources, const Exec
     hasSource[of.Components[vertex]] |= sourcesOfHeat.LengthsAndOnes(vertex, 1) > 0.0 ? 1 : 0;
   }
   TransportedField field;
-  field.Warnings = of.WarningsOf(hasSource, heat.col(1));
+  of.CountUnreached(hasSource, heat.col(1), field);
   field.AtVertices.resize(heat.rows());
   for (int vertex = 0; vertex < heat.rows(); ++vertex)
   {
@@ -370,12 +362,11 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   constexpr double LargestError = 4.0; // of a wavefront, in edges
   const double edge = std::sqrt(of.Times[vertex] / of.TimeStep);
   const double largestDifference = LargestError * edge / LargestFinite(paths.Lengths);
-  int notReached = 0;
   for (int other = 0; other < size; ++other)
   {
     if (!std::isfinite(paths.Lengths[other]))
     {
-      ++notReached;
+      ++map.Unreached;
       continue;
     }
     // A wavefront is off by some of an edge, and no path is shorter than the way through space.
@@ -387,11 +378,6 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
     map.Angles[other] =
       other == vertex ? 0.0 : of.Sides.OfVertices[vertex] * (isStraight ? std::arg(straight[other]) : turned);
     map.Coordinates[other] = std::polar(map.Distances[other], map.Angles[other]);
-  }
-  if (notReached > 0)
-  {
-    map.Warnings.push_back(std::to_string(notReached) + " of " + std::to_string(size) +
-      " points are on components without the point of the logarithmic map; the map is NaN there.");
   }
   ++of.Counts.Solves;
   context.Checkpoint(1.0);

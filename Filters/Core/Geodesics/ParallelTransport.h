@@ -27,6 +27,7 @@ struct TransportedField
 {
   Vector<Complex> AtVertices;        ///< in VertexFrames; zero on components without a source
   Vector<Complex> OnFaces;           ///< in FaceFrames
+  int WithoutSource = 0;             ///< vertices on components without a source
   std::vector<std::string> Warnings; ///< one sentence each
 };
 
@@ -38,7 +39,7 @@ struct LogarithmicMap
   Vector<Complex> Coordinates;
   Vector<double> Distances; ///< along the surface, >= 0
   Vector<double> Angles; ///< in radians, from -pi to pi, counter-clockwise seen from the positive side (PositiveSide.h)
-  std::vector<std::string> Warnings; ///< one sentence each
+  int Unreached = 0;     ///< vertices on other components
 };
 
 /// Carries tangent vectors from a few places to everywhere along shortest paths, by short diffusion, and finds logarithmic maps. ParallelTransport.md has the formulas.
