@@ -145,10 +145,11 @@ int vtkParallelTransport::RequestData(
     arrows->SetInputArrayToProcess(
       0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, dmg::ArrayNames::TransportedVectors);
     arrows->SetSeparatingDistance(this->ArrowDistance);
-    if (dmg::UpdateInside(this, arrows, dmg::PartOfContext(context, 0.9, 1.0)))
+    if (!dmg::UpdateInside(this, arrows, dmg::PartOfContext(context, 0.9, 1.0)))
     {
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(arrows->GetOutput());
+      throw dmg::InvalidInput("the arrows could not be drawn, as the warning before says; raise Arrow Distance");
     }
+    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(arrows->GetOutput());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }
