@@ -13,69 +13,117 @@ namespace
 /// Cells up to so many steps away take part.
 constexpr int MostRings = 3;
 
-/// A linear flow X(q) = X_0 + X_1 q_1 + X_2 q_2 in the plane, from components of it at places. Places are scaled so that the cells around the
-/// vertex spread by 1 in all directions: cells that are long and thin determine a flow as well as others.
-class LinearFit
+/// The numbers that solve linear equations best, in the sense of least squares.
+template <class Number, int Size>
+class LeastSquares
 {
 public:
-  explicit LinearFit(const Eigen::Matrix2d& scaling)
+  using Row = Eigen::Matrix<double, Size, 1>;
+
+  void Add(const Row& row, Number value)
+  {
+    this->Products.noalias() += row * row.transpose();
+    this->Values += value * row;
+    ++this->Equations;
+  }
+
+  /// \return whether the equations determine the solution; else it is the least one of several.
+  bool Solve()
+  {
+    constexpr double SmallestShare = 1e-3;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> spectrum(this->Products);
+    const Row& energies = spectrum.eigenvalues();
+    const double smallest = SmallestShare * 6.0 / Size * std::max(this->Equations, 1);
+    this->Solution.setZero();
+    for (int k = 0; k < Size; ++k)
+    {
+      if (energies[k] > smallest)
+      {
+        const Row mode = spectrum.eigenvectors().col(k);
+        const Number ofMode = mode.template cast<Number>().dot(this->Values);
+        this->Solution += ofMode / energies[k] * mode;
+      }
+    }
+    return energies[0] > smallest;
+  }
+
+  Eigen::Matrix<Number, Size, 1> Solution;
+
+private:
+  Eigen::Matrix<double, Size, Size> Products = Eigen::Matrix<double, Size, Size>::Zero();
+  Eigen::Matrix<Number, Size, 1> Values = Eigen::Matrix<Number, Size, 1>::Zero();
+  int Equations = 0;
+};
+
+Vector2 AsVector(Complex number)
+{
+  return { number.real(), number.imag() };
+}
+
+/// A linear flow X(q) = X_0 + X_1 q_1 + X_2 q_2 in the plane, from vectors at places. Places are scaled so that the cells around the
+/// vertex spread by 1 in all directions: cells that are long and thin determine a flow as well as others.
+class FitOfVectors
+{
+public:
+  explicit FitOfVectors(const Eigen::Matrix2d& scaling)
     : Scaling(scaling)
-    , Products(Matrix6::Zero())
-    , Values(Vector6::Zero())
+  {
+  }
+
+  /// Both components have the same equations.
+  void Add(Complex place, Complex vector)
+  {
+    const Vector2 q = this->Scaling * AsVector(place);
+    this->Flow.Add({ 1.0, q[0], q[1] }, vector);
+  }
+
+  /// Finds the flow. \return whether the data determine it.
+  bool Solve() { return this->Flow.Solve(); }
+
+  /// Its derivatives: column k is that along axis k.
+  Eigen::Matrix2d Derivatives() const
+  {
+    Eigen::Matrix2d alongScaled;
+    alongScaled << AsVector(this->Flow.Solution[1]), AsVector(this->Flow.Solution[2]);
+    return alongScaled * this->Scaling;
+  }
+
+private:
+  const Eigen::Matrix2d Scaling;
+  LeastSquares<Complex, 3> Flow;
+};
+
+/// The same from components of the flow.
+class FitOfComponents
+{
+public:
+  explicit FitOfComponents(const Eigen::Matrix2d& scaling)
+    : Scaling(scaling)
   {
   }
 
   /// \param direction a unit vector along which the flow has the value.
   void Add(Complex place, Complex direction, double value)
   {
-    const Vector2 q = this->Scaling * Vector2(place.real(), place.imag());
-    const Vector2 d(direction.real(), direction.imag());
-    Vector6 row;
+    const Vector2 q = this->Scaling * AsVector(place);
+    const Vector2 d = AsVector(direction);
+    LeastSquares<double, 6>::Row row;
     row << d, q[0] * d, q[1] * d;
-    this->Products.noalias() += row * row.transpose();
-    this->Values += value * row;
-    ++this->Number;
+    this->Flow.Add(row, value);
   }
 
-  void Add(Complex place, Complex vector)
-  {
-    this->Add(place, 1.0, vector.real());
-    this->Add(place, Complex(0.0, 1.0), vector.imag());
-  }
+  bool Solve() { return this->Flow.Solve(); }
 
-  /// Finds the flow. \return whether the data determine it.
-  bool Solve()
-  {
-    constexpr double SmallestShare = 1e-3;
-    const Eigen::SelfAdjointEigenSolver<Matrix6> spectrum(this->Products);
-    const Vector6& energies = spectrum.eigenvalues();
-    const double smallest = SmallestShare * std::max(this->Number, 1);
-    Vector6 inBasis = spectrum.eigenvectors().transpose() * this->Values;
-    for (int k = 0; k < 6; ++k)
-    {
-      inBasis[k] = energies[k] > smallest ? inBasis[k] / energies[k] : 0.0; // the least flow, where several are as near
-    }
-    this->Flow = spectrum.eigenvectors() * inBasis;
-    return energies[0] > smallest;
-  }
-
-  /// Its derivatives: column k is that along axis k.
   Eigen::Matrix2d Derivatives() const
   {
     Eigen::Matrix2d alongScaled;
-    alongScaled << this->Flow.segment<2>(2), this->Flow.segment<2>(4);
+    alongScaled << this->Flow.Solution.segment<2>(2), this->Flow.Solution.segment<2>(4);
     return alongScaled * this->Scaling;
   }
 
 private:
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
   const Eigen::Matrix2d Scaling;
-  Matrix6 Products;
-  Vector6 Values;
-  Vector6 Flow = Vector6::Zero();
-  int Number = 0;
+  LeastSquares<double, 6> Flow;
 };
 
 /// The cells around a vertex, in a map of the surface to the tangent plane there.
@@ -163,7 +211,7 @@ private:
 };
 
 /// \param addTo adds the data of a neighbourhood to a fit.
-template <class AddTo>
+template <class LinearFit, class AddTo>
 DerivativesAtVertices Fit(
   const FramedMesh& surface, const SurfaceRelation& relation, const ExecutionContext& context, const AddTo& addTo)
 {
@@ -247,8 +295,8 @@ Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation)
 DerivativesAtVertices DerivativesOfVertexVectors(
   const FramedMesh& surface, const SurfaceRelation& relation, const Points& vectors, const ExecutionContext& context)
 {
-  return Fit(surface, relation, context,
-    [&](const Neighbourhood& around, LinearFit& fit)
+  return Fit<FitOfVectors>(surface, relation, context,
+    [&](const Neighbourhood& around, FitOfVectors& fit)
     {
       for (const int vertex : around.Vertices)
       {
@@ -262,8 +310,8 @@ DerivativesAtVertices DerivativesOfCellVectors(
   const FramedMesh& surface, const SurfaceRelation& relation, const Points& vectors, const ExecutionContext& context)
 {
   const Points centres = CellCentres(surface.Mesh, relation);
-  return Fit(surface, relation, context,
-    [&](const Neighbourhood& around, LinearFit& fit)
+  return Fit<FitOfVectors>(surface, relation, context,
+    [&](const Neighbourhood& around, FitOfVectors& fit)
     {
       for (const int face : around.Faces)
       {
@@ -280,8 +328,8 @@ DerivativesAtVertices DerivativesOfForm(const FramedMesh& surface, const Surface
   const Vector<double>& form, const std::vector<char>& isGiven, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = surface.Mesh;
-  DerivativesAtVertices derivatives = Fit(surface, relation, context,
-    [&](const Neighbourhood& around, LinearFit& fit)
+  DerivativesAtVertices derivatives = Fit<FitOfComponents>(surface, relation, context,
+    [&](const Neighbourhood& around, FitOfComponents& fit)
     {
       for (const int face : around.Faces)
       {
