@@ -3,8 +3,8 @@
 
     check_mingw.py ROOT [SOURCE...]
 
-SuiteSparse, CGAL, Boost, GMP and MPFR have no packages for MinGW in Debian; their headers for this machine are read instead. The room
-Pieces is left out, which needs MPI and PETSc. The compiler is that of Debian's package g++-mingw-w64-x86-64-posix; without it, the
+SuiteSparse, CGAL, Boost, GMP and MPFR have no packages for MinGW in Debian; their headers for this machine are read instead. The rooms
+of Pieces are left out, which need MPI and PETSc. The compiler is that of Debian's package g++-mingw-w64-x86-64-posix; without it, the
 check is skipped (exit status 77).
 """
 
@@ -51,7 +51,7 @@ def main():
         return 77
     root = pathlib.Path(sys.argv[1]).resolve()
     sources = [root / name for name in sys.argv[2:]] or [
-        path for path in sorted((root / "Filters" / "Core").rglob("*.cxx")) if path.parent.name != "Pieces"]
+        path for path in sorted((root / "Filters" / "Core").rglob("*.cxx")) if "Pieces" not in path.parts]
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as threads:
         headers = pathlib.Path(folder)
         link_headers(headers)
