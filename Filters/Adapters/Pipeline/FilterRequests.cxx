@@ -6,6 +6,7 @@
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/ToldMessages.h"
 #include "Adapters/Pipeline/TouchingLeaves.h"
 #include "Adapters/Ranks/GatheredInputs.h"
 #include "Adapters/Ranks/JoinedPieces.h"
@@ -20,14 +21,12 @@
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
@@ -116,30 +115,6 @@ bool HandsSurfaceOn(vtkAlgorithm* algorithm)
   return type == "vtkDataSet";
 }
 
-/// Whether a filter has failed in the same way since it or its inputs have changed. The pipeline asks again for each output and each
-/// consumer where the outputs are images, since empty ones have no extent.
-bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, const std::string& message)
-{
-  static vtkInformationStringKey* const lastFailure =
-    vtkInformationStringKey::MakeKey("LAST_FAILURE", "DirectionalMultigrid");
-  std::string failure = message + " " + std::to_string(algorithm->GetMTime());
-  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
-  {
-    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
-    {
-      vtkDataObject* const data = vtkDataObject::GetData(inputs[port], k);
-      failure += " " + std::to_string(data ? data->GetMTime() : 0);
-    }
-  }
-  const char* const before = algorithm->GetInformation()->Get(lastFailure);
-  if (before && failure == before)
-  {
-    return true;
-  }
-  algorithm->GetInformation()->Set(lastFailure, failure.c_str());
-  return false;
-}
-
 /// \param isTold whether this rank reports the message; it is empty where it is reported already.
 int Failed(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
   const std::string& message, bool isTold)
@@ -184,21 +159,6 @@ private:
   vtkNew<vtkInformationVector> First;
   std::vector<vtkInformationVector*> Ports;
 };
-
-/// Adds a text to field data of the first output, and to VTK's output the first time that this filter does so.
-void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, vtkInformationIntegerKey* isTold,
-  const char* name, const std::string& note)
-{
-  vtkNew<vtkStringArray> text;
-  text->SetName(name);
-  text->InsertNextValue(note);
-  vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
-  if (!algorithm->GetInformation()->Has(isTold))
-  {
-    algorithm->GetInformation()->Set(isTold, 1);
-    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
-  }
-}
 
 /// \return what a filter works on, of cells of two dimensions, without strips. \pre CheckCells.
 vtkSmartPointer<vtkDataSet> SurfaceOfInput(vtkDataSet* given)

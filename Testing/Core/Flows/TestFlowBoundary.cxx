@@ -9,6 +9,8 @@
 #include "Support/MeshFactory.h"
 #include "Support/ReferenceOperators.h"
 
+#include "FlowColumns.h"
+
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
@@ -105,28 +107,6 @@ Eigen::MatrixXd StreamFunctions(const TriangleMesh& mesh, const std::vector<char
     basis.col(k++) = functions.col(first);
   }
   return basis;
-}
-
-/// Rows times the square root of the area, so that products of columns are integrals.
-Eigen::MatrixXd Weighted(const FramedMesh& surface, Eigen::MatrixXd columns)
-{
-  const Vector<double> areas = surface.Mesh.FaceAreas();
-  for (int row = 0; row < columns.rows(); ++row)
-  {
-    columns.row(row) *= std::sqrt(areas[row / 2]);
-  }
-  return columns;
-}
-
-Eigen::MatrixXd Turned(const Eigen::MatrixXd& columns)
-{
-  Eigen::MatrixXd turned(columns.rows(), columns.cols());
-  for (int row = 0; row < columns.rows(); row += 2)
-  {
-    turned.row(row) = -columns.row(row + 1);
-    turned.row(row + 1) = columns.row(row);
-  }
-  return turned;
 }
 
 int RankOf(const Eigen::MatrixXd& columns)

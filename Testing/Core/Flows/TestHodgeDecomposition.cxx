@@ -14,6 +14,8 @@
 #include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
+#include "FlowColumns.h"
+
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
@@ -175,28 +177,6 @@ Vector<double> AtVertices(const TriangleMesh& mesh, const std::function<double(c
     values[vertex] = function(mesh.Position(vertex));
   }
   return values;
-}
-
-/// Rows times the square root of the area, so that products of columns are integrals.
-Eigen::MatrixXd Weighted(const FramedMesh& surface, Eigen::MatrixXd columns)
-{
-  const Vector<double> areas = surface.Mesh.FaceAreas();
-  for (int row = 0; row < columns.rows(); ++row)
-  {
-    columns.row(row) *= std::sqrt(areas[row / 2]);
-  }
-  return columns;
-}
-
-Eigen::MatrixXd Turned(const Eigen::MatrixXd& columns)
-{
-  Eigen::MatrixXd turned(columns.rows(), columns.cols());
-  for (int row = 0; row < columns.rows(); row += 2)
-  {
-    turned.row(row) = -columns.row(row + 1);
-    turned.row(row + 1) = columns.row(row);
-  }
-  return turned;
 }
 
 /// A basis of functions at vertices: all, or those that are constant on loops, or zero there.

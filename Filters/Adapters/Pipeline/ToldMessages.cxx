@@ -1,0 +1,53 @@
+#include "Adapters/Pipeline/ToldMessages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkStringArray.h"
+
+namespace dmg
+{
+
+bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, const std::string& message)
+{
+  static vtkInformationStringKey* const lastFailure =
+    vtkInformationStringKey::MakeKey("LAST_FAILURE", "DirectionalMultigrid");
+  std::string failure = message + " " + std::to_string(algorithm->GetMTime());
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkDataObject* const data = vtkDataObject::GetData(inputs[port], k);
+      failure += " " + std::to_string(data ? data->GetMTime() : 0);
+    }
+  }
+  const char* const before = algorithm->GetInformation()->Get(lastFailure);
+  if (before && failure == before)
+  {
+    return true;
+  }
+  algorithm->GetInformation()->Set(lastFailure, failure.c_str());
+  return false;
+}
+
+void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, vtkInformationIntegerKey* isTold,
+  const char* name, const std::string& note)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(name);
+  text->InsertNextValue(note);
+  vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
+  if (!algorithm->GetInformation()->Has(isTold))
+  {
+    algorithm->GetInformation()->Set(isTold, 1);
+    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
+  }
+}
+
+}
