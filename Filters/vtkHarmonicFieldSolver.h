@@ -267,8 +267,8 @@ public:
   ///@{
   /**
    * The number of solves with the same prescribed places and weights that are to come, as for a time series of measured
-   * directions. Automatic factors the system where a factor would pay (for 30 solves and more of power fields, 40 of
-   * 1-forms, 400 of face fields). Default 1, at least 1.
+   * directions. Automatic factors the system where a factor would pay: from 0.06 sqrt(n) solves of n unknowns on (power
+   * fields and 1-forms; 0.5 sqrt(n) of face fields), and where most computers can hold it. Default 1, at least 1.
    */
   vtkSetMacro(ExpectedSolves, int);
   vtkGetMacro(ExpectedSolves, int);

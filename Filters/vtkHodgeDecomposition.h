@@ -259,7 +259,7 @@ public:
 
   enum Solvers
   {
-    /** Cholesky up to 300,000 points and where many solves are expected, else conjugate gradients. */
+    /** Cholesky up to 100,000 points and where enough solves are expected, else conjugate gradients. */
     Automatic = 0,
     /** Sparse Cholesky factorisation. */
     Cholesky = 1,
@@ -277,8 +277,8 @@ public:
 
   ///@{
   /**
-   * The number of solves to come: from 30 on, Automatic factors larger surfaces, too. Where the input has time steps, at least two for each of
-   * them. Default 1, at least 1.
+   * The number of solves to come. Automatic factors larger surfaces, too, where a factor pays: from sqrt(n) / 40 solves on n points, where
+   * most computers can hold it. Where the input has time steps, at least two for each of them. Default 1, at least 1.
    */
   vtkSetMacro(ExpectedSolves, int);
   vtkGetMacro(ExpectedSolves, int);

@@ -2,13 +2,16 @@
 //
 //   BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...
 //
-// Once from samples (Nodal only), once from edge collapses with the operators of power fields (S0, SP,
+// First the stages in which a surface is read: its order in memory, the mesh in that order, the frames of faces and vertices, and
+// PrepareSurface, which holds the first two and the checks. Then levels: once from samples (Nodal only), once from edge collapses with the operators of power fields (S0, SP,
 // Nodal), once with all (S1 and SX as well).
 // With --grow, each surface is also cut 1:4 until it has a million faces: growth with size.
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Timing.h"
 #include "Levels/SampledLevels.h"
+#include "Mesh/SpatialOrder.h"
+#include "Preparation/PreparedSurface.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
@@ -17,6 +20,44 @@ using namespace dmg;
 
 namespace
 {
+
+void MeasureReading(const std::string& name, const test::Surface& surface, int runs, const ExecutionContext& context)
+{
+  const SpatialOrder order(surface.V, surface.F, context);
+  const TriangleMesh mesh = order.Apply(surface.V, surface.F, context);
+  const auto print = [&](const char* stage, const auto& function)
+  {
+    std::vector<double> seconds;
+    for (int run = 0; run < runs; ++run)
+    {
+      seconds.push_back(function());
+    }
+    std::printf("%-28s %-9s %8d %8.3f %8.3f\n", name.c_str(), stage, mesh.NumberOfFaces(), benchmarks::Median(seconds),
+      *std::min_element(seconds.begin(), seconds.end()));
+  };
+  using benchmarks::Seconds;
+  print("order", [&] { return Seconds([&] { SpatialOrder(surface.V, surface.F, context); }); });
+  print("mesh", [&] { return Seconds([&] { order.Apply(surface.V, surface.F, context); }); });
+  print("frames",
+    [&]
+    {
+      return Seconds(
+        [&]
+        {
+          FaceFrames(mesh, context);
+          VertexFrames(mesh, context);
+        });
+    });
+  print("prepared",
+    [&]
+    {
+      CellTriangles triangles;
+      triangles.Positions = surface.V;
+      triangles.Corners = surface.F;
+      triangles.NumberOfCells = mesh.NumberOfFaces();
+      return Seconds([&] { PrepareSurface(std::move(triangles), {}, context); });
+    });
+}
 
 struct Setup
 {
@@ -83,6 +124,7 @@ int main(int argc, char* argv[])
   for (const std::string& path : paths)
   {
     test::Surface surface = test::ReadPly(path);
+    MeasureReading(benchmarks::BaseName(path), surface, runs, context);
     measureAll(benchmarks::BaseName(path), surface.Mesh());
     while (grow && surface.F.rows() < 1000000)
     {

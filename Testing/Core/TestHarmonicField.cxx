@@ -301,13 +301,16 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
   }
   SolverOptions options;
   SolverTuning tuning;
-  tuning.SolvesForCholesky = 30;
+  tuning.SolvesForFactor = 0.03; // times the root of a million
   options.ExpectedSolves = 29;
   EXPECT_EQ(ChooseSolver(options, tuning, 1000000, true).Method, &MethodOf(SolverKind::ConjugateGradients));
   options.ExpectedSolves = 30;
   const SolverChoice choice = ChooseSolver(options, tuning, 1000000, true);
   EXPECT_EQ(choice.Method, &MethodOf(SolverKind::Cholesky));
   EXPECT_NE(choice.Reason.find("1000000 unknowns and 30 solves"), std::string::npos);
+  options.ExpectedSolves = 1000000;
+  EXPECT_EQ(ChooseSolver(options, tuning, 100000000, true).Method, &MethodOf(SolverKind::ConjugateGradients))
+    << "for a factor of a hundred gigabytes";
 }
 
 TEST(HarmonicField, AFactorisationSaysWhereItStops)

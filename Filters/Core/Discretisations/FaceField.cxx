@@ -20,9 +20,10 @@ constexpr double DroppedEntries = 0.001;
 
 // The number of unknowns up to which a factor is ready before multigrid, from the bare mesh.
 constexpr int LargestForCholesky = 30000;
-// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
-// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
-constexpr int SolvesForCholesky = 400;
+// From so many solves on, over the root of the number of unknowns, a factor is worth its time: the extra time that it takes is
+// what back-substitutions save against further solves by cycles, on surfaces of some 100,000 vertices.
+constexpr double SolvesForFactor = 0.5;
+constexpr double BytesOfFactor = 170.0;
 
 }
 
@@ -63,7 +64,8 @@ SolverTuning FaceField::Tuning() const
 {
   SolverTuning tuning = LeastSquaresField::Tuning();
   tuning.LargestForCholesky = LargestForCholesky;
-  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.SolvesForFactor = SolvesForFactor;
+  tuning.BytesOfFactor = BytesOfFactor;
   return tuning;
 }
 

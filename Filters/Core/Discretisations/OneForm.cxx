@@ -15,9 +15,10 @@ namespace
 // The number of unknowns up to which a factor is ready before multigrid, from the bare mesh: factors
 // have few entries.
 constexpr int LargestForCholesky = 400000;
-// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
-// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
-constexpr int SolvesForCholesky = 40;
+// From so many solves on, over the root of the number of unknowns, a factor is worth its time: the extra time that it takes is
+// what back-substitutions save against further solves by cycles, on surfaces of some 100,000 vertices.
+constexpr double SolvesForFactor = 0.06;
+constexpr double BytesOfFactor = 80.0;
 
 Vector<Complex> InFrames(const TangentFrames& frames, const Points& vectors)
 {
@@ -60,7 +61,8 @@ SolverTuning OneForm::Tuning() const
 {
   SolverTuning tuning = LeastSquaresField::Tuning();
   tuning.LargestForCholesky = LargestForCholesky;
-  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.SolvesForFactor = SolvesForFactor;
+  tuning.BytesOfFactor = BytesOfFactor;
   return tuning;
 }
 

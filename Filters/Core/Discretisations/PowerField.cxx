@@ -28,9 +28,10 @@ constexpr int CoarseCycles = 2;
 
 // The number of unknowns up to which a factor is ready before multigrid, from the bare mesh.
 constexpr int LargestForCholesky = 20000;
-// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
-// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
-constexpr int SolvesForCholesky = 30;
+// From so many solves on, over the root of the number of unknowns, a factor is worth its time: the extra time that it takes is
+// what back-substitutions save against further solves by cycles, on surfaces of some 100,000 vertices.
+constexpr double SolvesForFactor = 0.06;
+constexpr double BytesOfFactor = 60.0;
 
 }
 
@@ -91,7 +92,8 @@ SolverTuning PowerField::Tuning() const
 {
   SolverTuning tuning;
   tuning.LargestForCholesky = LargestForCholesky;
-  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.SolvesForFactor = SolvesForFactor;
+  tuning.BytesOfFactor = BytesOfFactor;
   tuning.FinestSweepsFactor = FinestSweepsFactor;
   tuning.CoarseCycles = CoarseCycles;
   tuning.FinestProlongationSteps = ProlongationSteps;

@@ -20,7 +20,7 @@ namespace
 
 // Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (ScalarFunction.md).
 constexpr int LargestForCholesky = 100000;
-constexpr int SolvesForCholesky = 30;
+constexpr double SolvesForFactor = 0.025;
 // Two cycles halve the iterations, and take as long; they mind uneven triangles less.
 constexpr int CyclesInARow = 2;
 
@@ -133,7 +133,7 @@ SolverTuning ScalarFunction::Tuning() const
 {
   SolverTuning tuning;
   tuning.LargestForCholesky = LargestForCholesky;
-  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.SolvesForFactor = SolvesForFactor;
   tuning.CyclesInARow = CyclesInARow;
   return tuning;
 }

@@ -28,7 +28,7 @@ constexpr int FinestSweepsFactor = 3;
 constexpr int CoarseCycles = 2;
 // The limits of fields on faces, whose factors have as many entries.
 constexpr int LargestForCholesky = 20000;
-constexpr int SolvesForCholesky = 30;
+constexpr double SolvesForFactor = 0.06;
 
 /// Directions of the vertices from those of the faces around, carried by the connection and averaged.
 TransportOperator MeanOfFaces(
@@ -168,7 +168,7 @@ SolverTuning VertexPowerField::Tuning() const
 {
   SolverTuning tuning;
   tuning.LargestForCholesky = LargestForCholesky;
-  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.SolvesForFactor = SolvesForFactor;
   tuning.FinestSweepsFactor = FinestSweepsFactor;
   tuning.CoarseCycles = CoarseCycles;
   tuning.FinestProlongationSteps = ProlongationSteps;

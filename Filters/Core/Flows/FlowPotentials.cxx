@@ -14,8 +14,6 @@ namespace
 
 /// Functions of coasts are made once, and all stream functions rest on them.
 const StoppingCriteria StopOfFunctions{ 1e-12, 200 };
-/// The number of vertices up to which two solves by a factor are faster than by cycles, from the bare surface.
-constexpr int LargestForFactor = 300000;
 
 }
 
@@ -26,10 +24,6 @@ FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& o
   , Setups(surface)
 {
   this->Options.ExpectedSolves += NumberOfGenerators(surface.Mesh);
-  if (options.Kind == SolverKind::Automatic && surface.Mesh.NumberOfVertices() <= LargestForFactor)
-  {
-    this->Options.Kind = SolverKind::Cholesky;
-  }
   this->SetBoundary(OpenEdges(surface.Mesh, FlowBoundary::Closed));
 }
 

@@ -1,9 +1,25 @@
 #include "Solvers/SolverChoice.h"
 
+#include <cmath>
+
 namespace dmg
 {
 namespace
 {
+
+/// Automatic makes no larger factors for the sake of many solves, in bytes; most computers hold one that is as large.
+constexpr double LargestFactor = 4e9;
+
+/// The number of expected solves from which a factor pays.
+double SolvesForFactor(const SolverTuning& tuning, int numberOfUnknowns)
+{
+  return std::ceil(tuning.SolvesForFactor * std::sqrt(numberOfUnknowns));
+}
+
+bool FitsFactor(const SolverTuning& tuning, int numberOfUnknowns)
+{
+  return tuning.BytesOfFactor * numberOfUnknowns * std::log2(numberOfUnknowns) <= LargestFactor;
+}
 
 /// Why Automatic factors a system of this size, or empty.
 std::string WhyToFactor(const SolverOptions& options, const SolverTuning& tuning, int numberOfUnknowns,
@@ -17,9 +33,13 @@ std::string WhyToFactor(const SolverOptions& options, const SolverTuning& tuning
   {
     return whyFactor;
   }
-  return options.ExpectedSolves >= tuning.SolvesForCholesky ? size + " and " + std::to_string(options.ExpectedSolves) +
-      " solves, enough for a factor to pay (" + std::to_string(tuning.SolvesForCholesky) + " or more)"
-                                                            : std::string();
+  const double least = SolvesForFactor(tuning, numberOfUnknowns);
+  if (options.ExpectedSolves >= least && FitsFactor(tuning, numberOfUnknowns))
+  {
+    return size + " and " + std::to_string(options.ExpectedSolves) + " solves, enough for a factor to pay (" +
+      std::to_string(std::lround(least)) + " or more)";
+  }
+  return "";
 }
 
 }

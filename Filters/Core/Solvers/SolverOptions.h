@@ -57,8 +57,11 @@ struct SolverTuning
 {
   /// The largest system that Automatic factors, in unknowns.
   int LargestForCholesky = 20000;
-  /// The least number of expected solves for which Automatic factors systems of any size.
-  int SolvesForCholesky = std::numeric_limits<int>::max();
+  /// Automatic factors larger systems from SolvesForFactor times sqrt(n) expected solves on, n unknowns: the time to make a factor
+  /// grows like n^1.5, that of a solve like n (George 1973).
+  double SolvesForFactor = std::numeric_limits<double>::infinity();
+  /// A factor holds about BytesOfFactor times n log2(n) bytes (George 1973).
+  double BytesOfFactor = 50.0;
   /// Sweeps on the finest level over sweeps on a coarse level, >= 1.
   int FinestSweepsFactor = 1;
   /// V-cycles that replace the solution on the first coarse level, >= 1. They count where R and D are kept apart.
