@@ -3,8 +3,8 @@
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
 #include "Adapters/Pipeline/FilterRequests.h"
-#include "Operators/FieldTopology.h"
-#include "Operators/UnresolvedSingularities.h"
+#include "Directions/FieldTopology.h"
+#include "Directions/UnresolvedSingularities.h"
 #include "Support/ShortText.h"
 
 #include "vtkDataSet.h"

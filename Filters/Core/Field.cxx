@@ -1,7 +1,7 @@
 #include "Field.h"
 
-#include "Operators/FieldTopology.h"
-#include "Operators/PowerFieldDirections.h"
+#include "Directions/FieldTopology.h"
+#include "Directions/PowerFieldDirections.h"
 
 namespace dmg
 {

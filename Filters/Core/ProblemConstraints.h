@@ -2,10 +2,10 @@
 #define dmgProblemConstraints_h
 
 #include "Constraints/NearestPlaces.h"
+#include "Directions/PrincipalDirections.h"
 #include "FieldProblem.h"
 #include "Mesh/FramedMesh.h"
 #include "Mesh/SurfaceSizes.h"
-#include "Operators/PrincipalDirections.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>

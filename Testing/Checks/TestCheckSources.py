@@ -60,7 +60,17 @@ class CheckSources(unittest.TestCase):
         message = "1: Core/Discretisations alone asks which discretisation a field has"
         for line in ("if (kind == DiscretisationKind::OneForm)", "if (a.Field.Kind == b.Field.Kind)"):
             self.assert_found("Filters/Core/Mesh/Mesh.h", line + "\n", message)
+            self.assert_found("Filters/Core/Discretisations/Levels/Level.h", line + "\n", message)
             self.assertEqual(self.found({"Filters/Core/Discretisations/Field.h": line + "\n"}), [])
+
+    def test_rooms_below_the_kinds_of_fields_do_not_see_these(self):
+        for room in ("Constraints", "Levels"):
+            self.assert_found(f"Filters/Core/Discretisations/{room}/Part.h", '#include "Discretisations/Field.h"\n',
+                              f"1: Discretisations/{room} may not include Discretisations/Field.h")
+
+    def test_operators_do_not_see_directions(self):
+        changes = {"Filters/Core/Directions/Signs.h": "", "Filters/Core/Operators/Matrix.h": '#include "Directions/Signs.h"\n'}
+        self.assertEqual(self.found(changes), ["Filters/Core/Operators/Matrix.h:1: Operators may not include Directions/Signs.h"])
 
     def test_new_folder_needs_a_place(self):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),

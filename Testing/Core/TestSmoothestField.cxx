@@ -1,9 +1,9 @@
 // Fields where nothing is prescribed: the lowest eigenvectors of the smoothness energy.
 
+#include "Directions/FieldTopology.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "FieldSolver.h"
-#include "Operators/FieldTopology.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/ComplexPairs.h"
 #include "Support/MeshFactory.h"
 #include "Support/SolverOfUnknowns.h"

@@ -1,6 +1,6 @@
 #include "FieldSolver.h"
 
-#include "Discretisations/OneFormConstraints.h"
+#include "Discretisations/Constraints/OneFormConstraints.h"
 #include "PreparedSurface.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ComplexPairs.h"

@@ -1,8 +1,8 @@
 #ifndef dmgTestFieldSystems_h
 #define dmgTestFieldSystems_h
 
-#include "Discretisations/FieldConstraints.h"
-#include "Discretisations/OneFormConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
+#include "Discretisations/Constraints/OneFormConstraints.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Support/ComplexPairs.h"
 #include "Support/HarmonicSystem.h"

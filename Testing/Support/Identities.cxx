@@ -1,7 +1,7 @@
 #include "Support/Identities.h"
 
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/ExteriorCalculus.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/DenseAlgebra.h"
 #include "Support/Random.h"
 #include "Support/ReferenceOperators.h"

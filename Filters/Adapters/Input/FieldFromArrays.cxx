@@ -5,8 +5,8 @@
 #include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
-#include "Operators/CellDirections.h"
-#include "Operators/SignFlips.h"
+#include "Directions/CellDirections.h"
+#include "Directions/SignFlips.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"

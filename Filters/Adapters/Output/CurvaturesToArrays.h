@@ -2,7 +2,7 @@
 #define dmgCurvaturesToArrays_h
 
 #include "Adapters/Surface/MeshFromDataSet.h"
-#include "Operators/PrincipalDirections.h"
+#include "Directions/PrincipalDirections.h"
 #include "Support/ExecutionContext.h"
 
 class vtkDataSet;

@@ -2,11 +2,11 @@
 #define dmgDrawingToPolyData_h
 
 #include "Adapters/Input/FieldFromArrays.h"
+#include "Directions/FieldTopology.h"
 #include "Drawing/ArrowHeads.h"
 #include "Drawing/EvenlySpacedLines.h"
 #include "Drawing/FieldGlyphs.h"
 #include "Mesh/TangentFrames.h"
-#include "Operators/FieldTopology.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Discretisations/MakeDiscretisation.h"
-#include "Operators/PowerFieldDirections.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

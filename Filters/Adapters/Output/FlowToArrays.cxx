@@ -3,8 +3,8 @@
 #include "Adapters/Output/ContoursToPolyData.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Drawing/ContourLines.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/Errors.h"
 
 #include "vtkCellArray.h"

@@ -1,6 +1,6 @@
 #include "Adapters/Surface/ElementArrays.h"
 
-#include "Operators/CellDirections.h"
+#include "Directions/CellDirections.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"

@@ -3,8 +3,8 @@
 
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Mesh/TangentFrames.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -3,8 +3,8 @@
 
 #include "Constraints/Constraints.h"
 #include "Constraints/WeightsOfFaces.h"
+#include "Directions/PrincipalDirections.h"
 #include "Mesh/FramedMesh.h"
-#include "Operators/PrincipalDirections.h"
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 #ifndef dmgDiscretisation_h
 #define dmgDiscretisation_h
 
+#include "Discretisations/Constraints/FieldConstraints.h"
 #include "Discretisations/DiscretisationOptions.h"
-#include "Discretisations/FieldConstraints.h"
 #include "Levels/ProlongationOperators.h"
 #include "Levels/SampledLevels.h"
 #include "Mesh/FramedMesh.h"

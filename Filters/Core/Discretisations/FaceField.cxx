@@ -2,9 +2,9 @@
 
 #include "Analysis/HarmonicBasis.h"
 #include "Analysis/HarmonicForms.h"
-#include "Discretisations/LeastSquaresLevels.h"
+#include "Directions/PowerFieldDirections.h"
+#include "Discretisations/Levels/LeastSquaresLevels.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/ComplexPairs.h"
 
 #include <utility>

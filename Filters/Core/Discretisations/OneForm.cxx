@@ -2,8 +2,8 @@
 
 #include "Analysis/HarmonicBasis.h"
 #include "Analysis/HarmonicForms.h"
-#include "Discretisations/LeastSquaresLevels.h"
-#include "Discretisations/OneFormConstraints.h"
+#include "Discretisations/Constraints/OneFormConstraints.h"
+#include "Discretisations/Levels/LeastSquaresLevels.h"
 
 #include <utility>
 

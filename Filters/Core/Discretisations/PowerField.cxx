@@ -1,7 +1,7 @@
 #include "Discretisations/PowerField.h"
 
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Solvers/Laplacian/LaplacianHierarchy.h"
 #include "Solvers/Multigrid/AssembledHierarchy.h"

@@ -1,8 +1,8 @@
 #include "Discretisations/ScalarFunction.h"
 
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/CotangentLaplacian.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"

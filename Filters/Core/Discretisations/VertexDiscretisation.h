@@ -1,8 +1,8 @@
 #ifndef dmgVertexDiscretisation_h
 #define dmgVertexDiscretisation_h
 
+#include "Discretisations/Constraints/VertexConstraints.h"
 #include "Discretisations/Discretisation.h"
-#include "Discretisations/VertexConstraints.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "Discretisations/VertexPowerField.h"
 
+#include "Discretisations/Constraints/VertexConstraints.h"
 #include "Discretisations/PowerField.h"
-#include "Discretisations/VertexConstraints.h"
 #include "Levels/SampledLevels.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Operators/FaceFieldOperators.h"

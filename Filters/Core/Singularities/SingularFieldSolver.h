@@ -1,7 +1,7 @@
 #ifndef dmgSingularFieldSolver_h
 #define dmgSingularFieldSolver_h
 
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 #include "Setup/PoissonSolver.h"
 #include "Setup/SetupCache.h"
 #include "Singularities/PrescribedSingularities.h"

@@ -1,7 +1,7 @@
 #ifndef dmgTestExamples_h
 #define dmgTestExamples_h
 
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 #include "Support/Random.h"
 
 #include <complex>

@@ -1,4 +1,4 @@
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"

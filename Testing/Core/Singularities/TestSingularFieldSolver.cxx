@@ -3,9 +3,9 @@
 #include "Singularities/SingularFieldSolver.h"
 
 #include "Analysis/TreeCotree.h"
+#include "Directions/FieldTopology.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/ExteriorCalculus.h"
-#include "Operators/FieldTopology.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/AllIndices.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"

@@ -1,7 +1,7 @@
 #ifndef dmgTestSurfaceProblem_h
 #define dmgTestSurfaceProblem_h
 
-#include "Discretisations/LeastSquaresLevels.h"
+#include "Discretisations/Levels/LeastSquaresLevels.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"

@@ -1,6 +1,6 @@
 #include "Pieces/Constraints/CurvaturesInPieces.h"
 
-#include "Operators/BendOfRegions.h"
+#include "Directions/BendOfRegions.h"
 
 #include <algorithm>
 #include <map>

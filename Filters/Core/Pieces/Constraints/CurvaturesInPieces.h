@@ -1,8 +1,8 @@
 #ifndef dmgCurvaturesInPieces_h
 #define dmgCurvaturesInPieces_h
 
+#include "Directions/PrincipalDirections.h"
 #include "Mesh/SurfaceSizes.h"
-#include "Operators/PrincipalDirections.h"
 #include "Pieces/Surface/PieceOfSurface.h"
 #include "Support/ExecutionContext.h"
 

@@ -1,8 +1,8 @@
 #ifndef dmgCrossField_h
 #define dmgCrossField_h
 
+#include "Directions/PowerFieldDirections.h"
 #include "Mesh/FramedMesh.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

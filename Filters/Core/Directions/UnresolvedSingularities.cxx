@@ -1,4 +1,4 @@
-#include "Operators/UnresolvedSingularities.h"
+#include "Directions/UnresolvedSingularities.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "Operators/FieldTopology.h"
+#include "Directions/FieldTopology.h"
 
 #include "Operators/PowerFieldOperators.h"
 #include "Support/NamedSurfaces.h"

@@ -1,7 +1,7 @@
-#include "Operators/PrincipalDirections.h"
+#include "Directions/PrincipalDirections.h"
 
-#include "Operators/BendOfRegions.h"
-#include "Operators/PowerFieldDirections.h"
+#include "Directions/BendOfRegions.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
 
 #include <algorithm>

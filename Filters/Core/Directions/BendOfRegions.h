@@ -1,9 +1,9 @@
 #ifndef dmgBendOfRegions_h
 #define dmgBendOfRegions_h
 
+#include "Directions/PrincipalDirections.h"
 #include "Mesh/FramedMesh.h"
 #include "Mesh/SurfaceSizes.h"
-#include "Operators/PrincipalDirections.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -1,6 +1,6 @@
-#include "Operators/FieldTopology.h"
+#include "Directions/FieldTopology.h"
 
-#include "Operators/PowerFieldDirections.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"

@@ -1,4 +1,4 @@
-#include "Operators/PowerFieldDirections.h"
+#include "Directions/PowerFieldDirections.h"
 
 #include "Operators/PowerFieldOperators.h"
 #include "Support/Identities.h"

@@ -1,7 +1,7 @@
 #ifndef dmgWeightedMeans_h
 #define dmgWeightedMeans_h
 
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "Operators/PrincipalDirections.h"
+#include "Directions/PrincipalDirections.h"
 
-#include "Operators/BendOfRegions.h"
+#include "Directions/BendOfRegions.h"
 #include "Support/Errors.h"
 #include "Support/NamedSurfaces.h"
 #include "Support/Random.h"

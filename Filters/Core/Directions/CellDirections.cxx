@@ -1,4 +1,4 @@
-#include "Operators/CellDirections.h"
+#include "Directions/CellDirections.h"
 
 #include <algorithm>
 #include <cmath>

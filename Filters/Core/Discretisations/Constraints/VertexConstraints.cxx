@@ -1,4 +1,4 @@
-#include "Discretisations/VertexConstraints.h"
+#include "Discretisations/Constraints/VertexConstraints.h"
 
 #include "Operators/ConnectionLaplacian.h"
 

@@ -1,4 +1,4 @@
-#include "Discretisations/SmoothingBlocks.h"
+#include "Discretisations/Levels/SmoothingBlocks.h"
 
 #include "Mesh/FaceFans.h"
 

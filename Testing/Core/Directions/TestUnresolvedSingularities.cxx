@@ -1,6 +1,6 @@
-#include "Operators/UnresolvedSingularities.h"
+#include "Directions/UnresolvedSingularities.h"
 
-#include "Operators/FieldTopology.h"
+#include "Directions/FieldTopology.h"
 #include "Support/MeshFactory.h"
 
 #include <gtest/gtest.h>

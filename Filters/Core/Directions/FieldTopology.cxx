@@ -1,6 +1,6 @@
-#include "Operators/FieldTopology.h"
+#include "Directions/FieldTopology.h"
 
-#include "Operators/PowerFieldDirections.h"
+#include "Directions/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "Discretisations/OneFormConstraints.h"
+#include "Discretisations/Constraints/OneFormConstraints.h"
 
-#include "Discretisations/WeightedMeans.h"
+#include "Discretisations/Constraints/WeightedMeans.h"
 
 #include <utility>
 

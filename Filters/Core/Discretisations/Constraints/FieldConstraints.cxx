@@ -1,6 +1,6 @@
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 
-#include "Discretisations/WeightedMeans.h"
+#include "Discretisations/Constraints/WeightedMeans.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 

@@ -1,7 +1,7 @@
 #ifndef dmgOneFormConstraints_h
 #define dmgOneFormConstraints_h
 
-#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/Constraints/FieldConstraints.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 

@@ -1,4 +1,4 @@
-#include "Operators/SignFlips.h"
+#include "Directions/SignFlips.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include "Discretisations/LeastSquaresLevels.h"
+#include "Discretisations/Levels/LeastSquaresLevels.h"
 
-#include "Discretisations/SmoothingBlocks.h"
+#include "Discretisations/Levels/SmoothingBlocks.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Support/SparseKernels.h"
 
