@@ -14,12 +14,9 @@
 namespace dmg
 {
 
-/// Equations (L + D) x = b over all ranks, solved by PETSc's conjugate gradients, preconditioned by one V-cycle of its multigrid with
-/// Galerkin products, two below the finest level.
-///
-/// The smoothers are Chebyshev polynomials with Jacobi, which do not depend on how rows are spread over the ranks: degree 6 on the
-/// finest level, with a bound of the eigenvalues of L + D over its diagonal, and degree 3 with estimated ones below. The coarsest
-/// system is factored by every rank.
+class PetscCycle;
+
+/// Equations (L + D) x = b over all ranks, solved by PETSc's conjugate gradients and multigrid (PetscCycle).
 ///
 /// L and the prolongations are there once; D changes the diagonal of L and some rows of the first prolongation. Fixed unknowns are zero:
 /// smoother and prolongation have zero rows there. All vectors are of owned rows.
@@ -62,20 +59,17 @@ public:
   std::vector<LevelReport> Levels() const;
 
 private:
-  struct Objects;
-
   void SetDiagonal(const Vector<double>& diagonal);
   double LargestEigenvalue(const std::vector<char>& isHeld) const;
   void WeakenRows(const Vector<double>& shares);
   void RestoreRows();
-  void TakeHeldOut(const std::vector<char>& isHeld);
-  void MakeCoarseMatrices(const ExecutionContext& context);
 
   const Ranks& All;
-  const int CyclesInARow;
   Vector<double> StiffnessOfOwned;
   Vector<double> Diagonal; ///< of L + D
-  std::unique_ptr<Objects> Of;
+  std::unique_ptr<PetscCycle> Cycle;
+  std::vector<int> WeakenedRows;          ///< of the first prolongation
+  std::vector<Complex> EntriesOfWeakened; ///< before they were weakened
 };
 
 }
