@@ -1,6 +1,6 @@
 #include "vtkDirectionalField.h"
 
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Support/Errors.h"

@@ -1,6 +1,6 @@
 #include "vtkDirectionalProlongation.h"
 
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"

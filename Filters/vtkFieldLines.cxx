@@ -2,7 +2,6 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
-#include "Adapters/Pipeline/FilterRequests.h"
 #include "Drawing/EvenlySpacedLines.h"
 
 #include "vtkInformationVector.h"

@@ -3,7 +3,7 @@
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/CrossesOfSurface.h"
 #include "Adapters/Output/QuadsToPolyData.h"
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"

@@ -4,6 +4,7 @@
 #include "Adapters/Input/ProblemFromInputs.h"
 #include "Adapters/Output/FieldOutput.h"
 #include "Adapters/Output/ReportToArrays.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/LeavesOfExecution.h"
 #include "Adapters/Pipeline/PanelWords.h"

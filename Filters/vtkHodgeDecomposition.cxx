@@ -4,6 +4,7 @@
 #include "Adapters/Input/FlowFromEdges.h"
 #include "Adapters/Input/OpenBoundary.h"
 #include "Adapters/Output/FlowToArrays.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"

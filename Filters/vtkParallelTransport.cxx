@@ -2,7 +2,7 @@
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Output/TransportToArrays.h"
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"

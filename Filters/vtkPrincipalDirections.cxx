@@ -1,7 +1,7 @@
 #include "vtkPrincipalDirections.h"
 
 #include "Adapters/Output/CurvaturesToArrays.h"
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"

@@ -2,7 +2,7 @@
 
 #include "vtkHarmonicFieldSolver.h"
 
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Support/Errors.h"
 #include "TestTools.h"

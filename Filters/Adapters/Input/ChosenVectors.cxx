@@ -1,6 +1,6 @@
 #include "Adapters/Input/ChosenVectors.h"
 
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Support/Errors.h"

@@ -2,7 +2,7 @@
 #define dmgFieldFromArrays_h
 
 #include "Adapters/Input/ChosenArrays.h"
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparedDataSet.h"

@@ -1,7 +1,7 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
 #include "Adapters/Data/HiddenCells.h"
-#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Mesh/Globe.h"
