@@ -59,7 +59,7 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // With ranks null: of one process.
+  // Without ranks, on one process.
   const auto solveAndDraw =
     [&](vtkInformationVector** inputs, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context)
   {

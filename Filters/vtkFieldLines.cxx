@@ -21,7 +21,7 @@ constexpr double SmallestDistance = 0.0005;
 constexpr double HeadSpacing = 8.0; // over the distance between lines
 constexpr double HeadSize = 0.6;
 
-/// To two digits.
+/// The number, rounded down to two digits.
 double RoundedDown(double number)
 {
   const double unit = number > 0.0 ? std::pow(10.0, std::floor(std::log10(number)) - 1.0) : 1.0;

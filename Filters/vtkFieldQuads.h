@@ -22,8 +22,8 @@
  *
  * @section vtkFieldQuads-Outputs Outputs
  *
- * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell below it.
- * Besides,
+ * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell
+ * below it. Besides,
  *
  * | array          | of     | components | type   | meaning                                                         |
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
@@ -38,7 +38,8 @@
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts.
  * A texture that repeats shows the grid.
  *
- * Port 2, the irregular vertices: vtkPolyData, a ball for each vertex inside of the mesh that has not four quads, with the arrays Irregular and SignColor.
+ * Port 2, the irregular vertices: vtkPolyData, a ball for each vertex inside of the mesh that has not four quads, with the arrays
+ * Irregular and SignColor.
  *
  * @section vtkFieldQuads-Execution Execution
  *

@@ -27,7 +27,8 @@
  *
  * Port 2, singularities (optional, of the same types): points around which the field rotates by a multiple of 2 pi / N. A power
  * field gets these and no others, and rotates as little as it can (trivial connections, Crane et al. 2010). Indices are
- * multiples of 1 / N. On a closed component they sum to the Euler characteristic, 2 - 2 genus. Constraints rotate the field as a whole. Outputs 0 and 3 of vtkFieldSingularities fit. PointPowerField gives the field of PowerField then.
+ * multiples of 1 / N. On a closed component they sum to the Euler characteristic, 2 - 2 genus. Constraints rotate the field as a whole.
+ * Outputs 0 and 3 of vtkFieldSingularities fit. PointPowerField gives the field of PowerField then.
  *
  * SetInputArrayToProcess(index, 0, 0, association, name) chooses arrays of the surface, and
  * SetGuideArrayToProcess(index, 1, 0, association, name) those of guides:
@@ -107,7 +108,7 @@ public:
   {
     /**
      * The N-th power of the directions per face, as a complex number, with the Dirichlet energy; for triangles that are about
-     * equilateral. On sheared ones, as of grids, it is wrong.
+     * equilateral. On sheared ones, as grids have, it is wrong.
      */
     PowerField = 0,
     /** A vector per face; N is 1. The energy is its squared divergence and curl. For flows. */
@@ -294,11 +295,11 @@ public:
 
   ///@{
   /**
-   * The solve stops at this RelativeResidual, an estimate of the relative error in the energy norm. At the default, directions are within 1 degree where the
-   * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher shows. Far
-   * from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and
-   * for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is solved to a hundredth of it, 1e-8 at least.
-   * Default 1e-4, range 1e-14 to 1.
+   * The solve stops at this RelativeResidual, an estimate of the relative error in the energy norm. At the default, directions are within
+   * 1 degree where the length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher shows.
+   * Far from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and for
+   * computations that go on with the numbers. The smoothest field, where nothing is prescribed, is solved to a hundredth of it, 1e-8 at
+   * least. Default 1e-4, range 1e-14 to 1.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -12,8 +12,8 @@
  * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it, with a flow in one of these forms:
  *
  * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
- *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of vectors at its
- *   corners.
+ *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of
+ *   vectors at its corners.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
  *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
  *   the neighbours.
@@ -26,7 +26,7 @@
  * second (EdgeValues). Diagonals of polygons may be left out. Lines elsewhere are passed over. Examples:
  *
  * - the second output of vtkHarmonicFieldSolver with its array OneForm;
- * - velocities of C-grid models, as of MPAS: the component of the flow that is normal to the side between two cells goes along the line
+ * - velocities of C-grid models, such as MPAS: the component of the flow that is normal to the side between two cells goes along the line
  *   between their centres. The surface is the triangulation whose points are these centres.
  *
  * A 1-form that is closed, as the differences of a function, has vectors without vorticity, to rounding. Else a face has the vector of

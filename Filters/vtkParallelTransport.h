@@ -29,15 +29,16 @@
  * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
  * | PointsWithoutSource | field data   | 1          | those on components without a source, where vectors are zero                  |
  * | PointsWithoutMap   | field data    | 1          | those on components without the map's point                                   |
- * | PositiveSide       | field data    | 1          | as of vtkHodgeDecomposition                                                   |
+ * | PositiveSide       | field data    | 1          | see vtkHodgeDecomposition                                                     |
  *
  * Port 1, the arrows: vtkPolyData, the output of vtkFieldGlyphs for TransportedVectors, at ArrowDistance.
  *
  * Port 2, the circles: vtkPolyData, lines of NumberOfCircles distances, evenly spaced, with the point array GeodesicDistance.
  *
  * Distances go around holes. Components of the surface without a source have zero vectors, and those without the map's point NaN;
- * field data counts their points. So have points of no cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle
- * across such a place shows the whole texture; take it away with Threshold of GeodesicDistance.
+ * field data counts their points. So have points of no cell of two dimensions. Coordinates jump where shortest paths from different sides
+ * meet, as on the far side of the surface. A triangle across such a place shows the whole texture; take it away with Threshold of
+ * GeodesicDistance.
  *
  * @section vtkParallelTransport-Execution Execution
  *

@@ -2,9 +2,9 @@
  * @class   vtkSMDirectionsInitializationHelper
  * @brief   chooses vectors that are neither normals nor texture coordinates
  *
- * ParaView's first choice from a list of vectors is the first of them, which on many surfaces are normals or texture coordinates. Where the XML of a
- * filter names this class in an InitializationHelper, the first choice of its property Directions is another array of the list,
- * if there is one.
+ * ParaView's first choice from a list of vectors is the first of them, which on many surfaces are normals or texture coordinates. Where
+ * the XML of a filter names this class in an InitializationHelper, the first choice of its property Directions is another array of the
+ * list, if there is one.
  */
 
 #ifndef vtkSMDirectionsInitializationHelper_h

@@ -33,7 +33,7 @@ struct Field
 
   SolveReport Report;
   GuidesReport Guides;
-  /// Sentences for the user: what could not be followed, each time, and what the solver has to say, once.
+  /// Sentences for the user. Constraints that could not be followed are named each time, warnings of the solver come once.
   std::vector<std::string> Warnings;
 
   std::shared_ptr<const FieldSolution> Solution;

@@ -200,7 +200,7 @@ private:
     return cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
   }
 
-  /// The points of a quadrilateral whose order its cell data say, or its number of points.
+  /// The number of points of a quadrilateral: that of the orders in the cell data, where these have any, else its own.
   vtkIdType SizeOfOrder(int type, vtkIdType cell, vtkIdType size) const
   {
     if (type != VTK_LAGRANGE_QUADRILATERAL && type != VTK_BEZIER_QUADRILATERAL)

@@ -20,7 +20,7 @@ struct Singularities
   double MaximumDistance = 0.1;     ///< from the surface, relative to the diagonal of its bounding box
 };
 
-/// Each at the nearest vertex inside.
+/// Brings each singularity to the nearest vertex inside the surface.
 /// \throw InvalidInput something is no dataset, has no such array, or an index that is no multiple of 1 / N; a point is not
 ///   finite, too far from the surface, or nearest to a triangle whose points are all on the boundary.
 /// Cost: logarithmic time for each point.

@@ -30,7 +30,7 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
 /// The outputs of vtkFieldSingularities.
 /// \param given the surface, of which \p topology is made.
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
-/// With colours of their signs. \param radius of the spheres, in the unit of the points.
+/// Spheres at singularities, in the colours of their signs. \param radius in the unit of the points.
 void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output);
 void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
 void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);

@@ -41,11 +41,11 @@ class FlowSurface
 {
 public:
   /// Takes another surface or solver, if it is another.
-  /// \param isGlobe as of HodgeDecomposition.
+  /// \param isGlobe see HodgeDecomposition.
   /// \throw InvalidInput as MeshFromDataSet.
   void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const SolverOptions& options, bool isGlobe,
     const ExecutionContext& context);
-  /// \param isOpen by edge, as of HodgeDecomposition.
+  /// \param isOpen by edge; see HodgeDecomposition.
   void SetBoundary(const std::vector<char>& isOpen) { this->Decomposition->SetBoundary(isOpen); }
 
   /// The things that were done to the surface.

@@ -24,7 +24,7 @@ public:
 
   std::vector<std::string> Gather(const std::string& here) const override;
   std::vector<long long> Gather(long long here) const;
-  /// Whether all ranks say so.
+  /// Whether \p here is true on all ranks.
   bool AreAll(bool here) const;
 
   /// Brings a text of bytes to rank 0. \param size on all ranks.

@@ -165,7 +165,7 @@ void AddTo(Hash& hash, const PolygonSurface& polygons)
   AddTo(hash, polygons.IsDuplicate.data(), polygons.IsDuplicate.size());
 }
 
-/// Whether the points and polygons say all.
+/// Whether some cells or points may be ghosts.
 bool HasGhosts(vtkDataSet* surface)
 {
   const char* const name = vtkDataSetAttributes::GhostArrayName();

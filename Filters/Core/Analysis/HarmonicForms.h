@@ -16,14 +16,14 @@ namespace dmg
 /// one, summed over the components. Cost: O(#E).
 int NumberOfGenerators(const TriangleMesh& mesh);
 
-/// Whether the harmonic fields of so many generators take too much memory, as on noisy scans, which have handles by the hundred.
+/// Whether the harmonic fields of all generators take too much memory, as on noisy scans, which have handles by the hundred.
 bool AreTooManyToHold(int generators, const TriangleMesh& mesh);
 
 /// Closed 1-forms that are no gradients, one per homology generator, #E x (2 g + b - 1): a basis of the first cohomology by integers.
-/// Tree and cotree (Eppstein 2003): contract the edges of a spanning tree of the vertices and merge the faces along a spanning tree of theirs, and one vertex, one face and the loops are left,
-/// where any numbers are closed and none is a gradient. Undone, the contractions give their edges 0, and every face, from the
-/// leaves on, closes its sum by the edge to its parent. Each component has trees of its own.
-/// Cost: O(#E) and O(#E) per form.
+/// Tree and cotree (Eppstein 2003): the edges of a spanning tree of the vertices are contracted, and the faces are merged along a
+/// spanning tree of theirs. One vertex, one face and the loops are left, where any numbers are closed and none is a gradient. Undone, the
+/// contractions give their edges 0, and every face, from the leaves on, closes its sum by the edge to its parent. Each component has
+/// trees of its own. Cost: O(#E) and O(#E) per form.
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// Closed forms by the hierarchy: those of its coarsest level (ProlongationOperators::ClosedForms),

@@ -23,7 +23,7 @@ struct SegmentPart
   int Face;
   double Length;
   double Distance; ///< from the surface, the largest of its samples; infinite where nobody has looked
-  /// Ends of the part in space. Of parts that are TooFar they are not told.
+  /// Ends of the part in space. Not set for parts that are TooFar.
   Vector3 Start = Vector3::Zero(), End = Vector3::Zero();
 };
 
@@ -31,8 +31,8 @@ struct SegmentPart
 ///
 /// Samples are no farther apart than the mean edge of the surface, or half of their distance from
 /// it where that is more. Between two of them that are nearest to different faces the segment is
-/// parted where it is as near to the one as to the other, and again where a third face is nearer there, to which one
-/// can walk from either. So a segment beside a plane has a part for each
+/// parted where it is as near to the one as to the other. Where a third face is nearer there, to which one
+/// can walk from either, it is parted again. So a segment beside a plane has a part for each
 /// triangle whose interior its projection crosses, however little, and for no other one.
 ///
 /// A part that runs along an edge, or over a ridge, is nearest to both faces of the edge. Each of them has a part of half its length,

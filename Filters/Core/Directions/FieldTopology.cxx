@@ -86,7 +86,7 @@ void FindCuts(const TriangleMesh& mesh, const Vector<Complex>& first, int N, con
     {
       continue;
     }
-    // Direction 0 goes on to the angle of the other one, plus so many steps.
+    // Direction 0 goes on to direction `jump` of the other element.
     const double onwards = std::arg(first[here]) + transport + topology.Rotation[edge] - std::arg(first[there]);
     const int jump = (static_cast<int>(std::lround(N * onwards / (2.0 * Pi))) % N + N) % N;
     if (jump != 0)

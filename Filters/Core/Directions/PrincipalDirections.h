@@ -34,8 +34,8 @@ struct PrincipalDirections
 ///
 /// A region holds what lies nearer to its vertex than \p scale times the mean length of the edges, as far as it is
 /// reached by edges that lie there, and the neighbours of the vertex; where the surface has much shorter edges than
-/// elsewhere, no more than the nearest 16 scale^2 + 16 vertices, four times as many as on an even surface. A region goes on
-/// to no more than so many neighbours of any other vertex.
+/// elsewhere, no more than the nearest 16 scale^2 + 16 vertices, four times as many as on an even surface. From any
+/// vertex but the first, a region goes on to no more than that number of neighbours.
 ///
 /// On a face, the shape operator is the derivative of the vertices' normals, interpolated between its corners
 /// (Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes"). Its integral over a region is a

@@ -67,7 +67,7 @@ public:
 
   /// Finest first; not empty.
   const std::vector<TransportOperator>& All() const { return this->Operators.Linear; }
-  /// With all that there is beside them.
+  /// These prolongations, and the other operators made with them.
   const ProlongationOperators& Whole() const { return this->Operators; }
   /// Says that they have been read.
   void Forget() const
@@ -93,8 +93,8 @@ private:
 /// Whatever differs between discretisations is an answer of such an object; nothing else asks which one it is.
 /// A further one is a further subclass and a line in MakeDiscretisation.
 ///
-/// The smoothness energy x^T R x measures how far a field is from the smoothest ones. A most harmonic field minimises the
-/// sum of its smoothness energy and of penalties on prescribed unknowns (HarmonicProblem).
+/// A field minimises its smoothness energy x^T R x plus penalties on prescribed unknowns (HarmonicProblem). R depends on the surface
+/// alone.
 class Discretisation
 {
 public:

@@ -13,9 +13,9 @@ void CheckNumberOfDirections(int N);
 ///
 /// The smoothness energy is X^H L X, L the PowerLaplacian: how much the field turns. A prescribed face f has the penalty
 /// m_f = A_f / mean A, so that at weights of 1 a face of mean area counts as much as
-/// an edge of weight 1; PowerEdgeWeight is 3.46 on equilateral triangles. The mass are the areas over their mean; ones where the whole surface has no area. A field has no
-/// smoothness energy only where it can be parallel everywhere: on flat surfaces, and where all angles that fields turn by around
-/// loops are multiples of 2 pi / N, as on a cube for N = 4. One prescribed direction determines it.
+/// an edge of weight 1; PowerEdgeWeight is 3.46 on equilateral triangles. The mass are the areas over their mean; ones where the whole
+/// surface has no area. A field has no smoothness energy only where it can be parallel everywhere: on flat surfaces, and where all angles
+/// that fields turn by around loops are multiples of 2 pi / N, as on a cube for N = 4. One prescribed direction determines it.
 ///
 /// Solved by LaplacianHierarchy, its coarse levels N-th powers at samples.
 class PowerField : public Discretisation

@@ -18,10 +18,10 @@ namespace dmg
 namespace
 {
 
-// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (ScalarFunction.md).
+// The number of unknowns up to which a factorisation from the bare mesh is ready before multigrid (ScalarFunction.md).
 constexpr int LargestForCholesky = 100000;
 constexpr double SolvesForFactor = 0.025;
-// Two cycles halve the iterations, and take as long; they mind uneven triangles less.
+// Two cycles halve the iterations and cost the same. They are less sensitive to uneven triangles.
 constexpr int CyclesInARow = 2;
 
 /// The mean over the faces around each vertex of what these take from the columns.

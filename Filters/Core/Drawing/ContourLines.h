@@ -10,8 +10,8 @@
 namespace dmg
 {
 
-/// Lines on a surface where a function has given values. A line has larger values to its right, seen from the positive side, so that it runs like the flow whose
-/// stream function is drawn.
+/// Lines on a surface where a function has given values. A line has larger values to its right, seen from the positive side, so that it
+/// runs like the flow whose stream function is drawn.
 struct ContourLines
 {
   Points Positions;

@@ -20,7 +20,7 @@ public:
   {
   }
 
-  /// To be asked after each triangle.
+  /// Whether the path makes no progress; to be asked after each triangle.
   /// \param now where the path is.
   bool IsStagnant(const Vector3& now)
   {

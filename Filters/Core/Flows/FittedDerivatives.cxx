@@ -10,7 +10,7 @@ namespace dmg
 namespace
 {
 
-/// Cells up to so many steps away take part.
+/// The distance of the farthest cells that take part, in steps from cell to cell.
 constexpr int MostRings = 3;
 
 /// The numbers that solve linear equations best, in the sense of least squares.

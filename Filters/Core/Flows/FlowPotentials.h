@@ -31,7 +31,7 @@ public:
   FlowPotentials(const FramedMesh& surface, const SolverOptions& options);
 
   /// Takes another boundary. Solvers that serve it, too, stay.
-  /// \param isOpen by edge, as of PartsOfBoundary.
+  /// \param isOpen by edge; see PartsOfBoundary.
   void SetBoundary(const std::vector<char>& isOpen);
 
   /// u, for which grad u is nearest to the flow among the functions that have the given values on open parts.
@@ -55,10 +55,10 @@ public:
   /// Cost: a solve for each, once.
   /// \throw as StreamFunction.
   const Eigen::MatrixXd& FunctionsOfCoasts(const ExecutionContext& context);
-  /// The same of open parts. They are not kept.
+  /// FunctionsOfCoasts for the open parts. They are not kept.
   Eigen::MatrixXd FunctionsOfOpenParts(const ExecutionContext& context);
 
-  /// \throw InvalidInput so many functions are too many to hold.
+  /// \throw InvalidInput there are too many functions to hold.
   void CheckNumber(int functions, const std::string& name) const;
 
   const FramedMesh& Surface() const { return this->Geometry; }

@@ -64,8 +64,8 @@ struct DecomposedFlow
 ///   Open            zero on all loops     any                       2 g + b - 1, 2 g on closed components
 ///   partly open     zero on open parts    constant on each coast    2 g + o - 1, 2 g where o is 0
 ///
-/// for components of genus g with b loops, of which o are open, all or in part. A coast is a loop that is closed, or an arc of one. Solvers and harmonic basis are made when they are first needed and kept: each further flow
-/// costs two solves at most.
+/// for components of genus g with b loops, of which o are open, all or in part. A coast is a loop that is closed, or an arc of one.
+/// Solvers and harmonic basis are made when they are first needed and kept: each further flow costs two solves at most.
 ///
 ///   dmg::HodgeDecomposition hodge(surface, dmg::FlowBoundary::Closed);
 ///   const dmg::DecomposedFlow parts = hodge.Decompose(flow);
@@ -86,7 +86,8 @@ public:
 
   /// \param flow #F, in the frames of the faces.
   /// \param stop of the solves. Parts are orthogonal to about its tolerance.
-  /// \throw InvalidInput the flow is not finite, has another size, or is longer than 1e40 or shorter than 1e-40 everywhere; harmonic fields or coasts are too many to hold.
+  /// \throw InvalidInput the flow is not finite, has another size, or is longer than 1e40 or shorter than 1e-40 everywhere; harmonic
+  ///   fields or coasts are too many to hold.
   /// \throw SolverFailure, Cancelled
   DecomposedFlow Decompose(const Vector<Complex>& flow, const FlowParts& parts = {},
     const StoppingCriteria& stop = { 1e-11, 200 }, const ExecutionContext& context = SerialContext());
@@ -95,7 +96,7 @@ public:
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
   /// The loops of the boundary; of those that are partly open, their arcs.
   const std::vector<BoundaryPart>& Boundaries() const;
-  /// From which vorticity, stream functions and circulations are seen.
+  /// The positive side, by which vorticity, stream functions and circulations have their signs.
   const SidesOfSurface& Sides() const;
   /// The report of the last solve, without a solver before the first.
   const SolveReport& Report() const;

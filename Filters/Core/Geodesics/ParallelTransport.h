@@ -42,7 +42,8 @@ struct LogarithmicMap
   int Unreached = 0;     ///< vertices on other components
 };
 
-/// Carries tangent vectors from a few places to everywhere along shortest paths, by short diffusion, and finds logarithmic maps. ParallelTransport.md has the formulas.
+/// Carries tangent vectors from a few places to everywhere along shortest paths, by short diffusion, and finds logarithmic maps.
+/// ParallelTransport.md has the formulas.
 ///
 ///   dmg::ParallelTransport transport(surface);
 ///   const dmg::TransportedField field = transport.Carry(sources);
@@ -77,7 +78,7 @@ public:
   /// \throw Cancelled
   LogarithmicMap Map(int vertex, Complex direction, const ExecutionContext& context = SerialContext());
 
-  /// From which angles are seen.
+  /// The positive side, from which angles are counter-clockwise.
   const SidesOfSurface& Sides() const;
 
   /// The time of the diffusion at each vertex, in squared units of length: one number per component.

@@ -116,8 +116,8 @@ private:
   std::vector<int> Halfedges;
 };
 
-/// Paths may go on from a vertex so many times. A limit is needed since the paths across
-/// bad ones need not be longer than those to the corners that they come from.
+/// The number of times that paths may go on from a vertex. Without a limit the search might not end: across thin triangles, a path need
+/// not be longer than those to the corners that it comes from.
 constexpr int MostVisits = 8;
 
 /// Dijkstra's algorithm, with paths across faces beside those along edges. A vertex whose path becomes shorter is visited again.

@@ -26,7 +26,7 @@ struct SidesOfSurface
   Vector<double> OfFaces;          ///< 1 where corners are counter-clockwise, seen from the positive side, else -1
   Vector<double> OfVertices;       ///< that of the faces around
 
-  /// For users, as "the outside"; of several kinds, a list.
+  /// The kinds in words for users, such as "the outside"; a list of several kinds.
   std::string Text() const;
 };
 

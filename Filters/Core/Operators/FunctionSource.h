@@ -39,7 +39,7 @@ public:
   /// \param components of vertices; borrowed.
   /// \param prescribed vertices.
   FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed);
-  /// On a surface that is spread over several processes; functions that sum are collective.
+  /// The free components of a surface that is spread over several processes. Functions that sum are collective.
   /// \param components of the vertices of this process; below \p bound, by numbers that all processes agree on.
   FreeComponents(
     const std::vector<int>& components, int bound, const std::vector<int>& prescribed, SumOverProcesses sum);

@@ -32,7 +32,7 @@ namespace
 {
 
 constexpr int MostRounds = 6;
-/// Small components get so many quads at least.
+/// The least number of quads of a component.
 constexpr double FewestQuadsOfComponent = 24.0;
 /// Singularities are split at this distance, in edges of quads.
 constexpr double DistanceOfSplitting = 1.5;

@@ -26,7 +26,7 @@ struct CycleObstacles
 constexpr double ThinTriangleQuality = 0.1;
 /// Cycles need few iterations up to this share, and many from twice as much on.
 constexpr double LargestShareOfThinTriangles = 0.03;
-/// With so many generators, V-cycles and factors take about the same time, or the same memory.
+/// The number of generators at which V-cycles and factors take about the same time, or the same memory.
 constexpr int LargestNumberOfGenerators = 40;
 
 /// \param hasHarmonicFields whether the field has a harmonic field for each generator, as 1-forms and face fields have; else generators
@@ -34,7 +34,7 @@ constexpr int LargestNumberOfGenerators = 40;
 /// Cost: linear in the number of faces.
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);
 
-/// For reports, the rest of a sentence; empty where a factor is not better.
+/// The reason as the rest of a sentence, for reports; empty where a factor is not better.
 std::string WhyFactorIsBetter(const CycleObstacles& obstacles);
 
 }

@@ -35,8 +35,8 @@ public:
   {
   }
 
-  /// Set-ups that are not in use are kept up to so many bytes of all; by default 1 GiB, some dozen set-ups of power fields on
-  /// a quarter of a million triangles.
+  /// Sets the number of bytes up to which set-ups that are not in use are kept. The default, 1 GiB, is some dozen set-ups of power
+  /// fields on a quarter of a million triangles.
   void SetMemoryLimit(long long bytes);
 
   /// Finds the set-up for these options, or makes it.

@@ -50,11 +50,11 @@ public:
   }
 
   void Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context);
-  /// Solves for what x differs by from \p held, and adds that.
+  /// Solves for the difference of x from \p held, and adds it to \p held.
   /// \param b of all. \param x a start, or empty.
   void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const ReferenceSolution& reference,
     const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
-  /// On the components without prescriptions.
+  /// Finds the smoothest fields on the components without prescriptions.
   void FindSmoothest(const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
 
   PrescribedSystem System;

@@ -71,7 +71,7 @@ public:
 
   /// The equations (R + D) x = D y, divided by s, that Solve solves: a matrix for the caller's own solver. See
   /// PrescribedSystem::Equations.
-  /// \param values, source as of Solve.
+  /// \param values, source see Solve.
   LinearSystem Equations(
     const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source = {}) const;
 

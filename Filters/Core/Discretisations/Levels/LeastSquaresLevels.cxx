@@ -12,7 +12,7 @@ namespace dmg
 namespace
 {
 
-/// The finest level is coarsened at once so far that there are at least so many faces for a vector.
+/// The least number of faces per vector on the first coarse level.
 constexpr long long FewestFacesForAVector = 6;
 
 LeastSquaresLevels LinearLevels(

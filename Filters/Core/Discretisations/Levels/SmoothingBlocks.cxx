@@ -13,7 +13,7 @@ namespace dmg
 namespace
 {
 
-/// Whether each face has at most so many times the area of an equilateral triangle with its longest side.
+/// Whether the area of each face is at most a fraction of that of an equilateral triangle with its longest side.
 std::vector<char> AreUneven(const TriangleMesh& mesh, double fraction)
 {
   std::vector<char> areUneven(mesh.NumberOfFaces(), 0);
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  /// \return whether the face is new, and the patch has no more than so many unknowns with it.
+  /// \return whether the face is new, and the patch with it has at most \p largest unknowns.
   bool Add(int face, std::size_t largest)
   {
     if (std::find(this->Faces.begin(), this->Faces.end(), face) != this->Faces.end())

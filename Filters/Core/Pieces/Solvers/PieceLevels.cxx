@@ -167,7 +167,7 @@ void AddGhosts(PointSampling& sampling, const std::vector<SightOfGhost>& ghosts,
   sampling.Samples.resize(own + samples.size(), -1);
 }
 
-/// One level after the other.
+/// Makes one level after the other.
 class LevelMaker
 {
 public:

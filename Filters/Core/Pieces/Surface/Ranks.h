@@ -43,7 +43,7 @@ decltype(auto) EndingTogether(MPI_Comm communicator, const Function& function)
   }
 }
 
-/// The processes of MPI that hold a surface together, and all that they say to each other.
+/// The processes of MPI that hold a surface together, and their messages.
 class Ranks : public Processes
 {
 public:

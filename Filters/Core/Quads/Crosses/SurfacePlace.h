@@ -30,7 +30,7 @@ inline SurfacePlace AtTail(int halfedge)
   return { TriangleMesh::FaceOf(halfedge), Vector3::Unit(halfedge % 3) };
 }
 
-/// On the way from the tail of a halfedge to its head; at t = 0 and t = 1.
+/// The place at parameter t of a halfedge: its tail at t = 0, its head at t = 1.
 inline SurfacePlace OnHalfedge(int halfedge, double t)
 {
   return { TriangleMesh::FaceOf(halfedge),

@@ -13,9 +13,9 @@
 namespace dmg
 {
 
-/// The isolines of a seamless map at half-integers, and how those of u meet those of v. On the surface they are closed curves, or end on the boundary,
-/// also where the map turns faces over. So a crossing becomes a quad, whatever the map does (the dual of the usual extraction, which
-/// looks for grid points and fails in folds).
+/// The isolines of a seamless map at half-integers, and how those of u meet those of v. On the surface they are closed curves, or end on
+/// the boundary, also where the map turns faces over. So a crossing becomes a quad, whatever the map does (the dual of the usual
+/// extraction, which looks for grid points and fails in folds).
 ///
 /// *Nodes* are the crossings, then the ends of isolines on the boundary. A *dart* 4 n + s leaves node n in slot s; slots follow each
 /// other counter-clockwise on the surface. A crossing has four: 0 and 2 along its isoline of u, 1 and 3 along that of v. An end has

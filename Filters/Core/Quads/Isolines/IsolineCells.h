@@ -11,7 +11,8 @@
 namespace dmg
 {
 
-/// The cells that isolines cut the surface into. Each one becomes a vertex of the quad mesh, and each crossing a quad of the four cells around it.
+/// The cells that isolines cut the surface into. Each one becomes a vertex of the quad mesh, and each crossing a quad of the four cells
+/// around it.
 struct IsolineCells
 {
   std::vector<std::array<int, 4>>

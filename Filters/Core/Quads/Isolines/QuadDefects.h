@@ -11,9 +11,9 @@
 namespace dmg
 {
 
-/// The places where quads are not a mesh of the surface: a component has another Euler number, or is lost; a hole has fewer than three edges around
-/// it; an edge has two quads on one side; a quad has a vertex twice; the quads around a vertex are no fan; an inner vertex has fewer than
-/// three of them. All of these mean that the quads are too large for what the surface has there.
+/// The places where quads are not a mesh of the surface: a component has another Euler number, or is lost; a hole has fewer than three
+/// edges around it; an edge has two quads on one side; a quad has a vertex twice; the quads around a vertex are no fan; an inner vertex
+/// has fewer than three of them. All of these mean that the quads are too large for what the surface has there.
 struct QuadDefects
 {
   int Number = 0;                     ///< of defects, 0 where the mesh is good

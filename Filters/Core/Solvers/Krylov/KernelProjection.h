@@ -15,7 +15,7 @@ namespace dmg
 class KernelProjection
 {
 public:
-  /// No kernel.
+  /// The identity: the kernel is zero.
   KernelProjection() = default;
   /// \param kernel n x k, orthogonal columns of length 1.
   explicit KernelProjection(Eigen::MatrixXd kernel)

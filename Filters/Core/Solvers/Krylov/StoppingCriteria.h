@@ -6,7 +6,7 @@
 namespace dmg
 {
 
-/// When an iterative solver may stop.
+/// Criteria by which an iterative solver stops.
 struct StoppingCriteria
 {
   /// The bound of IterationReport::RelativeResidual; > 0.

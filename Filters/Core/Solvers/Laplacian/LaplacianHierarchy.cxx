@@ -68,7 +68,7 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
-/// To single precision, so that the coarse matrix is that of the prolongation that cycles read.
+/// Rounds to single precision, so that the coarse matrix is that of the prolongation that cycles read.
 void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain,

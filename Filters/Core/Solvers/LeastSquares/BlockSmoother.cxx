@@ -24,7 +24,7 @@ constexpr int BlockGrain = 256;
 constexpr int MostRows = 1 << 16; // of B that a tile touches
 constexpr int LastColour = 63;    // of the blocks of a tile; for those that find no other
 
-// Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
+// Keeps a block of dependent unknowns, such as those of a face without area, invertible in single precision.
 constexpr double Ridge = 1e-6;
 
 using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, UnknownBlocks::LargestBlock,

@@ -45,7 +45,7 @@ public:
   /// \param B the factor, borrowed. \param tiles of its rows, borrowed.
   /// \param blocks of columns of B, borrowed, in the order of OrderedByColours; they cover all unknowns that are to be smoothed.
   ///   \pre none has more than UnknownBlocks::LargestBlock.
-  /// \param D as of SetDiagonal.
+  /// \param D see SetDiagonal.
   /// \param sweeps before and after the coarse correction, >= 1.
   /// \param relaxation the factor of steps where D is zero, in (0, 2); 1 is block Gauss-Seidel.
   /// Cost: linear in the entries of B, and in the cubes of the sizes of blocks.

@@ -104,7 +104,7 @@ public:
     this->Elements[index] = { value.real(), value.imag(), 1 };
   }
 
-  /// Leaves out what is not larger than so many times a size of its own.
+  /// Leaves out entries that are at most \p share of their own one of \p sizes.
   void Truncate(float share, const std::vector<float>& sizes)
   {
     int kept = 0;

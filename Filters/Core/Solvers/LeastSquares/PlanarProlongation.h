@@ -18,9 +18,9 @@ namespace dmg
 using PlanarProlongation = SparseMatrix<Complex>;
 
 /// The adjoint of a prolongation whose coarse functions have little energy: of
-/// (I - c_1 A) ... (I - c_k A) P for A = B^T B, with the roots of the polynomial that minimises the
-/// largest energy of what is left, max over (0, 1] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was
-/// (Chebyshev; Brezina and Vanek 1999). One coarse function after the other, in single precision.
+/// (I - c_1 A) ... (I - c_k A) P for A = B^T B. The c are the inverse roots of the polynomial p that minimises the largest energy
+/// that is left, max over (0, 1] of t p(t)^2; this is 1 / (2 k + 1)^2 (Chebyshev; Brezina and Vanek 1999). One coarse function is
+/// smoothed after the other, in single precision.
 ///
 /// The smoothing is needed because the energy counts divergence and curl, not the whole derivative. By the Weitzenboeck identity
 /// the Hodge energy is the Dirichlet energy plus the integral of K |X|^2. Where the Gaussian curvature K is negative it is much

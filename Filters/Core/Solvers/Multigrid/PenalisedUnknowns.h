@@ -62,7 +62,7 @@ public:
       });
   }
 
-  /// Before the coarse correction of x, for which residual is restricted.
+  /// Scales a residual that is to be restricted for the coarse correction of x.
   void ScaleResidual(Vector<Scalar>& residual, const Vector<Scalar>& x, const ExecutionContext& context)
   {
     this->ForEach(context,
@@ -73,7 +73,7 @@ public:
       });
   }
 
-  /// After it.
+  /// Scales the coarse correction, which has been added to x.
   void ScaleCorrection(Vector<Scalar>& x, const ExecutionContext& context) const
   {
     this->ForEach(

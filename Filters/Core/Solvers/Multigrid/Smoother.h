@@ -13,9 +13,9 @@ namespace dmg
 
 struct SmootherOptions
 {
-  /// Before the coarse correction, >= 0.
+  /// Sweeps before the coarse correction, >= 0.
   int PreSweeps = 2;
-  /// After it, >= 0; equal to PreSweeps inside conjugate gradients, which need symmetry.
+  /// Sweeps after it, >= 0; equal to PreSweeps inside conjugate gradients, which need symmetry.
   int PostSweeps = 2;
 };
 
@@ -29,11 +29,11 @@ class Smoother
 public:
   using Real = typename Eigen::NumTraits<Value>::Real;
 
-  /// For a unit diagonal.
+  /// A smoother for a matrix with unit diagonal.
   /// \param A borrowed.
   static std::unique_ptr<Smoother> New(const TriangularParts<Value>& A, const SmootherOptions& options);
 
-  /// For any other diagonal.
+  /// A smoother for a matrix with any other diagonal.
   /// \param inverseDiagonal 1 / A_ii, borrowed; or 0: the unknown is held at zero, and its residual has no
   ///   meaning.
   static std::unique_ptr<Smoother> NewWithDiagonal(

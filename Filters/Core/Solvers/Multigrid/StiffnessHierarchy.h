@@ -27,7 +27,7 @@ struct StiffnessCycleOptions
 {
   /// Sweeps on the finest level before and after the coarse correction, >= 1.
   int Sweeps = 4;
-  /// The first coarse level is factored if it has at most so many unknowns; where R and D are kept apart.
+  /// The number of unknowns up to which the first coarse level is factored; where R and D are kept apart.
   int LargestFactor = 10000;
   /// The options of the levels below.
   CycleOptions Coarse;

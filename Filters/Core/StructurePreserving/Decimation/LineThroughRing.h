@@ -33,7 +33,7 @@ public:
   int FirstSector() const { return this->First; }
   int NumberOfCrossings() const { return this->Crossings; }
 
-  /// From a sector to the next.
+  /// The crossing of the spoke between two sectors.
   struct Crossing
   {
     int Sector;      ///< that is entered

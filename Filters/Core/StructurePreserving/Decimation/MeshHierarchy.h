@@ -19,7 +19,7 @@ struct LevelTransition
   const TriangleMesh& Fine;
   const TriangleMesh& Coarse;
   const SurfaceTracking& Tracking;
-  /// From the slots that the tracking names to the numbers in Coarse, or -1.
+  /// The number in Coarse of each slot that the tracking names, or -1.
   const std::vector<int>& CoarseVertex;
   const std::vector<int>& CoarseFace;
   /// The collapses from Fine to Coarse, oldest first, in slots as above. Null unless the options

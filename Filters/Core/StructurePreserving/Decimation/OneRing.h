@@ -40,11 +40,11 @@ struct OneRing
     int HubCorner;
     int CenterBefore; ///< local number of the corner that the hub replaces
 
-    /// From x_k to x_k+1.
+    /// The halfedge from x_k to x_k+1.
     int OuterHalfedge() const { return 3 * this->Face + (this->HubCorner + 1) % 3; }
-    /// From the hub to x_k.
+    /// The halfedge from the hub to x_k.
     int LeavingSpoke() const { return 3 * this->Face + this->HubCorner; }
-    /// From x_k+1 to the hub.
+    /// The halfedge from x_k+1 to the hub.
     int ReturningSpoke() const { return 3 * this->Face + (this->HubCorner + 2) % 3; }
   };
 
