@@ -197,7 +197,6 @@ std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
   this->Twins[g + 2] = f + 2;
   this->Directions[g + 2] = this->Directions[f] + this->Stretches[c] * this->CornerAngle(f);
   this->Directions[f + 2] = this->Directions[g] + this->Stretches[d] * this->CornerAngle(g);
-  ++this->Flips;
   return to;
 }
 

@@ -34,7 +34,6 @@ public:
   int NumberOfVertices() const { return static_cast<int>(this->Stretches.size()); }
   int NumberOfHalfedges() const { return static_cast<int>(this->Tails.size()); }
   int NumberOfFaces() const { return this->NumberOfHalfedges() / 3; }
-  int NumberOfFlips() const { return this->Flips; }
 
   int Tail(int halfedge) const { return this->Tails[halfedge]; }
   int Head(int halfedge) const { return this->Tails[TriangleMesh::Next(halfedge)]; }
@@ -70,7 +69,6 @@ private:
   std::vector<double> Lengths;
   std::vector<double> Directions;
   std::vector<double> Stretches; // of angles, per vertex
-  int Flips = 0;
 };
 
 /// Calls visit(h) for one halfedge of each edge.

@@ -33,6 +33,17 @@ Surface Sheared(Surface surface, double shear)
   return surface;
 }
 
+/// The number of halfedges that lead between other vertices than on the mesh.
+int NumberOfFlipped(const Triangulated& surface)
+{
+  int count = 0;
+  for (int h = 0; h < surface.Delaunay.NumberOfHalfedges(); ++h)
+  {
+    count += surface.Delaunay.Tail(h) != surface.On.Mesh.Tail(h) || surface.Delaunay.Head(h) != surface.On.Mesh.Head(h);
+  }
+  return count;
+}
+
 double AreaOf(const IntrinsicTriangulation& surface)
 {
   double area = 0.0;
@@ -48,7 +59,7 @@ double AreaOf(const IntrinsicTriangulation& surface)
 TEST(IntrinsicTriangulation, KeepsAMeshThatIsDelaunay)
 {
   const Triangulated sphere(Icosphere(2));
-  EXPECT_EQ(sphere.Delaunay.NumberOfFlips(), 0);
+  EXPECT_EQ(NumberOfFlipped(sphere), 0);
   for (int h = 0; h < sphere.Delaunay.NumberOfHalfedges(); ++h)
   {
     EXPECT_NEAR(sphere.Delaunay.Direction(h), sphere.Connection.PolarAngle(h), 1e-12);
@@ -60,7 +71,7 @@ TEST(IntrinsicTriangulation, HasEdgesOfThePlaneThatAreStraightAndDelaunay)
 {
   const Triangulated plane(Sheared(PlaneGrid(12, 12), 2.0));
   const IntrinsicTriangulation& delaunay = plane.Delaunay;
-  EXPECT_GT(delaunay.NumberOfFlips(), 0);
+  EXPECT_GT(NumberOfFlipped(plane), 0);
   EXPECT_NEAR(AreaOf(delaunay), 144.0, 1e-9);
   for (int h = 0; h < delaunay.NumberOfHalfedges(); ++h)
   {
@@ -88,7 +99,7 @@ TEST(IntrinsicTriangulation, KeepsAreaAndHolonomyOfCurvedSurfaces)
   for (const Triangulated* surface : { &torus, &needle })
   {
     const IntrinsicTriangulation& delaunay = surface->Delaunay;
-    EXPECT_GT(delaunay.NumberOfFlips(), 0);
+    EXPECT_GT(NumberOfFlipped(*surface), 0);
     const double area = surface->On.Mesh.FaceAreas().sum();
     EXPECT_NEAR(AreaOf(delaunay), area, 1e-9 * area);
     double curvature = 0.0; // of all faces: what a direction turns by that is carried around

@@ -60,7 +60,7 @@ TYPED_TEST(AnySweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(6, 1).A;
   const SweepOrder order = Tiling(A);
-  ASSERT_TRUE(order.HasTiles());
+  ASSERT_FALSE(order.ColoursOfTiles.empty());
   const int tiles = order.ColoursOfTiles.back();
   ASSERT_EQ(order.Begins.size(), tiles + 1u);
   ASSERT_EQ(order.Begins.back(), A.rows());
@@ -103,12 +103,12 @@ TYPED_TEST(AnySweepOrder, TakesColoursWhereRowsAreShort)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
   const SweepOrder colours = OrderForSweeps(A);
-  EXPECT_FALSE(colours.HasTiles());
+  EXPECT_TRUE(colours.ColoursOfTiles.empty());
   EXPECT_EQ(colours.Begins, Colouring(A).Begins);
   const SparseMatrix<TypeParam> squared = A * A;
   const SparseMatrix<TypeParam> longRows = squared * squared; // 41 entries inside
   const SweepOrder tiles = OrderForSweeps(longRows);
-  EXPECT_TRUE(tiles.HasTiles());
+  EXPECT_FALSE(tiles.ColoursOfTiles.empty());
   EXPECT_EQ(tiles.Begins, Tiling(longRows).Begins);
 }
 

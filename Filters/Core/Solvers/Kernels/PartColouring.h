@@ -80,8 +80,6 @@ struct PartColouring
 {
   std::vector<int> Parts;  ///< colour by colour, ascending
   std::vector<int> Begins; ///< the place of the first of each colour in Parts, and their number
-
-  int NumberOfColours() const { return static_cast<int>(this->Begins.size()) - 1; }
 };
 
 /// Gives each part the first colour that no earlier neighbour has.

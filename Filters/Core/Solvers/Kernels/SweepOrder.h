@@ -17,8 +17,6 @@ struct SweepOrder
   std::vector<int> Unknowns;       ///< a permutation
   std::vector<int> Begins;         ///< where each part begins; one more than parts
   std::vector<int> ColoursOfTiles; ///< the first tile of each colour, and their number; none for colours
-
-  bool HasTiles() const { return !this->ColoursOfTiles.empty(); }
 };
 
 /// Greedy colours: each unknown, in ascending order, takes the smallest colour free among its neighbours.

@@ -64,16 +64,14 @@ public:
   /// \pre !IsCorner
   Place PlaceOf(int fineVertex) const { return { this->PointFaces[fineVertex], this->PointWeights[fineVertex] }; }
 
-  /// A fine edge that is still an edge of the coarse mesh has no path: see AlongHalfedge.
-  bool HasPath(int fineEdge) const { return this->Node(StartNode(fineEdge)).Next >= 0; }
-  /// The fine edge that runs along a coarse halfedge, or -1.
+  /// The fine edge that runs along a coarse halfedge, or -1. Such an edge is still an edge of the coarse mesh and has no path.
   int FineEdgeAlong(int halfedge) const { return this->FineEdges[halfedge]; }
 
   /// Calls visit(face, from, to) for the pieces of the path of a fine edge, in its orientation,
   /// with barycentric coordinates of both ends. An end at a vertex of the coarse mesh has
   /// coordinates exactly 0 and 1.
   /// \param tail tail(halfedge) is the vertex of the coarse mesh where a halfedge begins.
-  /// \pre HasPath
+  /// \pre the edge runs along no coarse halfedge (FineEdgeAlong).
   template <class Tail, class Visit>
   void VisitPath(int fineEdge, const Tail& tail, Visit visit) const
   {
