@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// The linear system of every most harmonic field, whichever way the field is discretised:
+/// The linear system of a smoothest field, for every discretisation:
 ///
 ///   soft  argmin  x^H L x + sum_b m_b |x_b - y_b|^2
 ///   hard  argmin  x^H L x  subject to  x_b = y_b

@@ -23,9 +23,8 @@ struct BoundaryPoint
   double Size; ///< least of the longest edges of the triangles that have it on a boundary side
 };
 
-/// Unites pairs of points that are no farther from each other than a distance, but for chains of them that reach
-/// farther: these are rows of points of their own, as in the layers of a mesh along a wall, which may be thinner than
-/// single precision tells.
+/// Unites pairs of points that are no farther from each other than a distance. A chain of pairs that is longer than that is kept: it is a
+/// row of a boundary-layer mesh, whose layers may be thinner than single precision resolves.
 /// \return whether there were any.
 bool UniteNear(
   const Points& positions, const std::vector<std::array<int, 2>>& pairs, double distance, DisjointSets& sets);

@@ -11,7 +11,7 @@ namespace dmg
 {
 
 /// Tiles of consecutive rows of a sparse matrix, coloured so that tiles of a colour share no column. A^T x is summed colour by
-/// colour, hence deterministically. Rows near each other should have columns in common, and few with rows elsewhere.
+/// colour, hence deterministically. Few colours are needed where rows have columns in common with rows near them alone.
 class RowTiles
 {
 public:
