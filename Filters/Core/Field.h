@@ -44,7 +44,7 @@ struct Field
 
   /// Direction k of each face as a vector in space, #F x 3; counter-clockwise from direction 0.
   Points DirectionsOnFaces(const FramedMesh& surface, int k) const;
-  /// The same of vertices, #V x 3.
+  /// Direction k of each vertex, likewise, #V x 3.
   Points DirectionsAtVertices(const FramedMesh& surface, int k) const;
 };
 

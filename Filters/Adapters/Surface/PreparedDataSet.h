@@ -32,7 +32,7 @@ struct PreparedDataSet
 std::shared_ptr<const PreparedDataSet> PrepareDataSet(
   vtkDataSet* surface, const PreparationOptions& options, const ExecutionContext& context);
 
-/// The same where the digest is at hand.
+/// PrepareDataSet of a surface whose ContentDigest is at hand.
 std::shared_ptr<const PreparedDataSet> PrepareDataSet(
   vtkDataSet* surface, const std::string& digest, const PreparationOptions& options, const ExecutionContext& context);
 

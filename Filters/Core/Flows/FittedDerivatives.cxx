@@ -93,7 +93,7 @@ private:
   LeastSquares<Complex, 3> Flow;
 };
 
-/// The same from components of the flow.
+/// A linear flow, from its components along given directions; places as in FitOfVectors.
 class FitOfComponents
 {
 public:

@@ -48,7 +48,7 @@ Vector<double> Star1OfFaceFields(const TriangleMesh& mesh);
 /// vector v.
 Vector<double> PositiveStar1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// The same of one edge.
+/// The entry of PositiveStar1 of one edge.
 double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge);
 
 /// Hodge star of 2-forms, #F: 1 / area.

@@ -90,9 +90,8 @@ std::string WarningAboutUndetermined(int undetermined, int harmonicFields)
     return {};
   }
   return std::to_string(undetermined) + " of the " + std::to_string(harmonicFields) +
-    " harmonic fields of the surface are not determined by what is prescribed; the field has no "
-    "part in them; prescribe more directions, spread over the handles and holes, or raise Alignment and weights where "
-    "these are tiny";
+    " harmonic fields are not determined and left out; prescribe more directions, spread over the handles and "
+    "holes, or raise Alignment and weights where these are tiny";
 }
 
 }

@@ -122,8 +122,8 @@ PetscSession::PetscSession()
   {
     End(this->IsOurs && sessionsOfOurs == 0);
     throw SolverFailure(
-      "a PETSc for real numbers has taken the place of the one for complex numbers in this process; link "
-      "the program to one of them only, or load the other without RTLD_GLOBAL");
+      "a PETSc for real numbers has taken the place of the one for complex numbers here; link the program "
+      "to one of them, or load the other without RTLD_GLOBAL");
   }
   CountNextEnd();
   CheckPetsc(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));

@@ -37,7 +37,7 @@ QuadDefects FindDefects(const TriangleMesh& mesh, const std::vector<int>& compon
 /// \param components of the faces of the surface.
 std::vector<int> EulerNumbers(
   const std::vector<int>& components, int numberOfComponents, const IndexedQuads& quads, const QuadTopology& topology);
-/// The same of the surface.
+/// The number of vertices less edges plus faces of the surface, by component.
 std::vector<int> EulerNumbers(const TriangleMesh& mesh, const std::vector<int>& components, int numberOfComponents);
 
 }

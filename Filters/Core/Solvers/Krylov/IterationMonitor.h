@@ -77,7 +77,7 @@ public:
   /// \param norm of the residual, the root of the sum of SquareOf.
   void Append(double norm);
 
-  /// The same with r = b - A x.
+  /// Append of the norm of r = b - A x, which it computes.
   void AppendResidual(Vector<Scalar>& r) { this->Append(this->SubtractFromB(r)); }
 
   /// Whether the residual, measured or estimated, is small enough.
