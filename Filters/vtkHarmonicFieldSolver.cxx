@@ -265,7 +265,7 @@ int vtkHarmonicFieldSolver::RequestData(
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    // Properties out of range are told before anything is read.
+    // Properties are checked before anything is read.
     const dmg::FieldProperties properties = dmg::PropertiesOf(this, this->Internals->GuideChoices);
     const dmg::PreparationOptions& preparation = properties.Preparation;
     dmg::FieldProblem problem = properties.Problem;

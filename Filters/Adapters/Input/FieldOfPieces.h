@@ -23,7 +23,7 @@ struct FieldOfPieces
   std::string Followed; ///< WhatIsFollowed, on all ranks alike
 };
 
-/// Collective: reads the inputs of a filter whose surface is in pieces, and solves. Rank 0 tells the warnings.
+/// Collective: reads the inputs of a filter whose surface is in pieces, and solves. Rank 0 reports the warnings.
 FieldOfPieces SolveInPieces(vtkAlgorithm* filter, const FieldProperties& properties, SolverOfPieces& kept,
   const RanksOfPipeline& ranks, vtkInformationVector** inputs, const ExecutionContext& context);
 

@@ -15,7 +15,7 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// Drawings of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
+/// Drawings of a field as vtkPolyData; the headers of the filters define the arrays.
 
 /// Polylines with the arrays of vtkFieldLines, and after them their heads, lines of three points.
 /// \param lift along the normals of the faces, in the unit of the points.

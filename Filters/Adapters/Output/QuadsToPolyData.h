@@ -10,7 +10,7 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// Quad meshes as vtkPolyData; vtkFieldQuads tells the meaning of the arrays.
+/// Quad meshes as vtkPolyData; vtkFieldQuads defines the arrays.
 
 /// The quads, with the arrays of the surface.
 /// \param input the surface.

@@ -33,7 +33,7 @@ std::string TextOf(const FeatureOptions& features)
     (features.FollowsMinimum ? " minimum" : " maximum");
 }
 
-/// Guides by their numbers and sums, which tell that they are others.
+/// Guides by counts and sums, which differ where the guides do.
 std::string TextOf(const Guides& guides)
 {
   std::size_t points = 0, weights = 0;

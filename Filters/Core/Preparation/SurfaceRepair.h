@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// The steps that PrepareSurface tells, from joined points to parted fans.
+/// The steps of PrepareSurface, from joined points to parted fans.
 /// \param given without unused points.
 /// \throw InvalidInput no triangle is left, or a coordinate is not finite.
 RepairedSurface Repair(

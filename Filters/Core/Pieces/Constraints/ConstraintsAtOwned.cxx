@@ -31,7 +31,7 @@ ElementNames NamesOnMesh(const PieceOfSurface& piece, const ElementNames& names)
   return onMesh;
 }
 
-/// Directions and values that are wrong by themselves are told by the rank that gives them, which has their names.
+/// The rank that gives a direction or a value reports its errors, as it alone has the names.
 void CheckOwn(const PieceOfSurface& piece, const Constraints& constraints, const ElementNames& names)
 {
   for (const Constraint& onFace : constraints.OnFaces)

@@ -97,7 +97,7 @@ public:
   /// The nodes that were asked for since the last call and are not known.
   std::vector<int> TakeMissing() { return std::exchange(this->Missing, {}); }
 
-  /// Collective. Owners tell all that they have of some nodes of others.
+  /// Collective. Fetches the data of some nodes from their owners.
   void Learn(std::vector<int> nodes)
   {
     std::sort(nodes.begin(), nodes.end());

@@ -21,7 +21,7 @@ struct TravellingTriangle
 
 /// The triangles of other pieces that share a vertex with this one, each once, in ascending order of rank and number. A rank without
 /// triangles gets the first triangle of the surface, so that no mesh is empty.
-/// Collective. Triangles at seams travel over the owners of their vertices.
+/// Collective. Triangles at partition boundaries travel over the owners of their vertices.
 /// \param joined JoinFans of the fans.
 std::vector<TravellingTriangle> GhostTriangles(const Ranks& ranks, const SurfacePiece& piece, const FansOfPiece& fans,
   const std::vector<SeamSide>& seams, const std::vector<PlaceOnRank>& joined);

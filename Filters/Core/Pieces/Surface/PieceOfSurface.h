@@ -30,7 +30,7 @@ class PieceOfSurface
 public:
   /// Collective. \param names how messages call the triangles and points of the piece.
   /// \throw InvalidInput as CheckElements, FansAround and PairSides, or no rank has a triangle.
-  /// Messages: two exchanges of about 110 bytes per triangle at a seam, and a few smaller ones.
+  /// Messages: two exchanges of about 110 bytes per triangle at a partition boundary, and a few smaller ones.
   PieceOfSurface(
     const Ranks& ranks, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context);
 
