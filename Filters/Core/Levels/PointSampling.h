@@ -37,11 +37,6 @@ struct PointSampling
 PointSampling SamplePoints(
   const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context);
 
-/// The graph of the samples: two are linked if points of theirs are. Steps and turns are means over all links between the points of
-/// two samples. The curvature of a sample is the sum over its points.
-/// Cost: O(links).
-TangentGraph GraphOfSamples(const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context);
-
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "Levels/SampledLevels.h"
 
+#include "Levels/GraphOfSamples.h"
 #include "Levels/PointSampling.h"
 #include "Levels/SampleSpacing.h"
 #include "Levels/SampledProlongation.h"

@@ -1,5 +1,6 @@
 #include "Levels/PointSampling.h"
 
+#include "Levels/GraphOfSamples.h"
 #include "Mesh/TangentFrames.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"

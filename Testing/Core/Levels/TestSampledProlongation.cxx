@@ -1,5 +1,6 @@
 #include "Levels/SampledProlongation.h"
 
+#include "Levels/GraphOfSamples.h"
 #include "Levels/SampledLevels.h"
 #include "Mesh/TangentFrames.h"
 #include "Support/Errors.h"
