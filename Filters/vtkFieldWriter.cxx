@@ -66,6 +66,10 @@ void vtkFieldWriter::WriteData()
       format == Rosy         ? dmg::RosyFileOf(surface)
         : format == RawField ? dmg::RawFieldFileOf(surface)
                              : dmg::SharpFileOf(surface, this->FeatureAngle));
+    if (const std::string warning = format == Sharp ? "" : dmg::WarningOfPolygons(surface); !warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
   catch (const std::exception& error)
   {

@@ -9,9 +9,10 @@
  * | --------- | --------------------------------------------------------------------------------------------------------- |
  * | .rosy     | the number of faces, the number N of directions, a unit vector of each face; quadwild and programs on vcglib take N = 4 |
  * | .rawfield | N, the number of faces, the N vectors of each face, counter-clockwise; Directional's read_raw_field()      |
- * | .sharp    | boundary and sharp edges of triangles, for quadwild; it needs no field. The number of edges, then "kind,face,side" for each: kind 0 is concave, side j goes from corner j to the next |
+ * | .sharp    | boundary and sharp edges of triangles, for quadwild; it needs no field. The number of lines, then "kind,face,side" for each edge: kind 0 is concave, side j goes from corner j to the next; an edge of more than two faces has a line for each |
  *
- * Errors leave no file: a face without a direction (.rosy), one that is no triangle (.sharp), directions that are not finite.
+ * Errors leave no file: a face without a direction (.rosy), one that is no triangle (.sharp), directions that are not finite. A face that is
+ * no triangle is a warning for .rosy and .rawfield, whose readers take triangles alone.
  *
  * @sa vtkHarmonicFieldSolver vtkFieldQuads
  */

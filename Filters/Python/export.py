@@ -20,7 +20,7 @@ def write_rosy(path: Path, mesh: vtkDataSet) -> None:
     """Writes a field of N directions as .rosy, which quadwild and other programs on vcglib read (they take N = 4).
 
     The file has the number of faces, N, and a line per face with a unit vector along one of its directions, Direction0.
-    Raises FieldError where a face has none.
+    Raises FieldError where a face has none; warns where a face is no triangle, as readers split it.
     """
     _write(path, mesh, vtkFieldWriter.Rosy)
 
@@ -30,6 +30,7 @@ def write_raw_field(path: Path, mesh: vtkDataSet) -> None:
 
     The file has N and the number of faces, then a line per face with the N vectors, counter-clockwise, as long as Direction0 has
     them. They are the arrays Direction1, ... where these are there, else Direction0, rotated around the normal of the face.
+    Warns where a face is no triangle, as readers split it.
     """
     _write(path, mesh, vtkFieldWriter.RawField)
 
@@ -38,9 +39,10 @@ def write_sharp(path: Path, mesh: vtkDataSet, feature_angle: float = 30.0) -> No
     """Writes the features of a mesh as .sharp, which quadwild reads: its boundary and its sharp edges.
 
     Edges are sharp where the normals of both faces differ by more than feature_angle, in degrees, as for the solver's
-    SharpEdgesWeight; the surface is that which the solver sees, whose points are joined and whose triangles are turned alike. The file has the number of edges and a line "kind,face,side" for each: kind 0 where the surface is
-    concave there, else 1; side j is the one from corner j of the face to the next. (quadwild's page separates them by blanks,
-    its code by commas.)
+    SharpEdgesWeight; the surface is that which the solver sees, whose points are joined and whose triangles are turned alike.
+    The file has the number of lines and a line "kind,face,side" for each edge: kind 0 where the surface is concave there, else 1;
+    side j is the one from corner j of the face to the next. An edge of more than two faces has a line for each. (quadwild's page
+    separates numbers by blanks, its code by commas.)
     """
     _write(path, mesh, vtkFieldWriter.Sharp, feature_angle)
 

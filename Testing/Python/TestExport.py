@@ -10,12 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 
 from directionalmultigrid import FieldError, smooth_field, write_raw_field, write_rosy, write_sharp
-from surfaces import surface, torus, values
-
-# An L, seen along y: its corners, counter-clockwise; the third has an angle of 270 degrees inside.
-L_CORNERS = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
-L_TRIANGLES = [(0, 1, 3), (1, 2, 3), (0, 3, 5), (3, 4, 5)]
-
+from surfaces import prism, surface, torus, values
 
 def numbers(path, separator=None):
     """The file's lines as lists of numbers."""
@@ -37,17 +32,6 @@ def cube():
 def faces(mesh):
     """The points of each triangle."""
     return np.array([[mesh.GetCell(cell).GetPointId(j) for j in range(3)] for cell in range(mesh.GetNumberOfCells())])
-
-
-def prism():
-    """The L from y = 0 to y = 1, closed: 20 triangles that look outside."""
-    n = len(L_CORNERS)
-    points = [(x, y, z) for y in (0, 1) for x, z in L_CORNERS]
-    front = L_TRIANGLES
-    back = [(n + c, n + b, n + a) for a, b, c in L_TRIANGLES]
-    sides = [triangle for i in range(n) for j in [(i + 1) % n]
-             for triangle in ((i, n + i, n + j), (i, n + j, j))]
-    return surface(points, front + back + sides)
 
 
 class Export(unittest.TestCase):

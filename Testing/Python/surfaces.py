@@ -58,6 +58,23 @@ def torus(around, across, major=1.0, minor=0.4):
     return surface(points, np.concatenate([np.stack([p, q, r], 1), np.stack([p, r, s], 1)]))
 
 
+# An L, seen along y: its corners, counter-clockwise; the third has an angle of 270 degrees inside.
+L_CORNERS = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+L_TRIANGLES = [(0, 1, 3), (1, 2, 3), (0, 3, 5), (3, 4, 5)]
+
+
+
+def prism():
+    """The L from y = 0 to y = 1, closed: 20 triangles that look outside."""
+    n = len(L_CORNERS)
+    points = [(x, y, z) for y in (0, 1) for x, z in L_CORNERS]
+    front = L_TRIANGLES
+    back = [(n + c, n + b, n + a) for a, b, c in L_TRIANGLES]
+    sides = [triangle for i in range(n) for j in [(i + 1) % n]
+             for triangle in ((i, n + i, n + j), (i, n + j, j))]
+    return surface(points, front + back + sides)
+
+
 def add(attributes, name, values):
     """Adds a copy of an array to cell, point or field data."""
     array = numpy_to_vtk(np.asarray(values, float), deep=True)

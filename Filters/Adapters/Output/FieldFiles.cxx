@@ -12,10 +12,12 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -50,6 +52,13 @@ std::vector<Face> FacesOf(vtkDataSet* surface)
     }
   }
   return faces;
+}
+
+/// The first face that is no triangle.
+std::optional<std::size_t> FirstPolygon(const std::vector<Face>& faces)
+{
+  const auto found = std::find_if(faces.begin(), faces.end(), [](const Face& face) { return face.Points.size() != 3; });
+  return found == faces.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - faces.begin()));
 }
 
 std::string NameOf(std::size_t face)
@@ -122,7 +131,7 @@ Vector3 VectorOf(vtkDataArray* array, const Face& face, std::size_t number)
   return vector;
 }
 
-/// Vectors on a line, so that they are read as they are.
+/// Vectors on a line, with the digits that give the same numbers again, whatever the locale of the process.
 std::string LineOf(const std::vector<Vector3>& vectors)
 {
   std::string line;
@@ -131,8 +140,8 @@ std::string LineOf(const std::vector<Vector3>& vectors)
     for (const double number : { vector.x(), vector.y(), vector.z() })
     {
       std::array<char, 32> text{};
-      std::snprintf(text.data(), text.size(), "%.17g", number);
-      line += (line.empty() ? "" : " ") + std::string(text.data());
+      const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), number);
+      line += (line.empty() ? "" : " ") + std::string(text.data(), end.ptr);
     }
   }
   return line + "\n";
@@ -258,6 +267,10 @@ std::string RawFieldFileOf(vtkDataSet* surface)
       vectors.push_back(
         arrays[k] ? VectorOf(arrays[k], face, number) : Vector3(std::cos(angle) * first + std::sin(angle) * across));
     }
+    if (n > 2 && area.dot(vectors[0].cross(vectors[1])) < 0.0) // the other way round in the file than for the solver
+    {
+      std::reverse(vectors.begin() + 1, vectors.end());
+    }
     text += LineOf(vectors);
   }
   return text;
@@ -266,12 +279,9 @@ std::string RawFieldFileOf(vtkDataSet* surface)
 std::string SharpFileOf(vtkDataSet* surface, double degrees)
 {
   const std::vector<Face> triangles = FacesOf(surface);
-  for (std::size_t k = 0; k < triangles.size(); ++k)
+  if (const auto polygon = FirstPolygon(triangles))
   {
-    if (triangles[k].Points.size() != 3)
-    {
-      throw InvalidInput(NameOf(k) + " is not a triangle; apply Triangulate (vtkTriangleFilter) first");
-    }
+    throw InvalidInput(NameOf(*polygon) + " is not a triangle; apply Triangulate (vtkTriangleFilter) first");
   }
   std::string lines;
   int number = 0;
@@ -281,14 +291,23 @@ std::string SharpFileOf(vtkDataSet* surface, double degrees)
     const bool isInside = sides.size() == 2; // else the boundary, or an edge of more triangles
     const auto [isSharp, isConvex] =
       isInside ? SharpnessOf(surface, triangles, sides[0], sides[1], degrees) : std::pair(true, true);
-    if (isSharp)
+    const std::size_t listed = !isSharp ? 0 : isInside ? 1 : sides.size(); // a reader knows of the other side of two
+    for (std::size_t k = 0; k < listed; ++k, ++number)
     {
-      lines += std::string(isConvex ? "1," : "0,") + std::to_string(sides[0].Triangle) + "," +
-        std::to_string(sides[0].Number) + "\n";
-      ++number;
+      lines += std::string(isConvex ? "1," : "0,") + std::to_string(sides[k].Triangle) + "," +
+        std::to_string(sides[k].Number) + "\n";
     }
   }
   return std::to_string(number) + "\n" + lines;
+}
+
+std::string WarningOfPolygons(vtkDataSet* surface)
+{
+  const auto polygon = FirstPolygon(FacesOf(surface));
+  return polygon ? NameOf(*polygon) +
+      " is not a triangle, and remeshers read a direction for each triangle; apply Triangulate (vtkTriangleFilter) "
+      "before the field"
+                 : "";
 }
 
 }
