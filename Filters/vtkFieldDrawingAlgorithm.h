@@ -47,6 +47,17 @@ public:
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
+  /**
+   * A part of the vertex shader that draws an actor nearer to the viewer, by two thousandths of its distance, as ParaView's representation
+   * Ink does. Lines, glyphs and contours that lie in a surface then show from both sides of it, whatever mapper the actor has:
+   *
+   *   actor->GetShaderProperty()->AddVertexShaderReplacement(
+   *     "//VTK::PositionVC::Impl", true, vtkFieldDrawingAlgorithm::GetInkShader(), false);
+   *
+   * In Python, directionalmultigrid.draw_as_ink(actor) does so.
+   */
+  static const char* GetInkShader();
+
   vtkFieldDrawingAlgorithm(const vtkFieldDrawingAlgorithm&) = delete;
   void operator=(const vtkFieldDrawingAlgorithm&) = delete;
 

@@ -81,8 +81,8 @@ public:
   ///@{
   /**
    * The distance of lines from the surface along its normal, as a fraction of the surface's size. Default 0, range 0 to 0.1: they
-   * lie in the surface, and show from both sides where a mapper draws them nearer to the viewer, as ParaView does in the
-   * representation Ink (vtkMapper::SetResolveCoincidentTopologyToPolygonOffset). Elsewhere a thousandth shows them from one side.
+   * lie in the surface, and show from both sides of it where they are drawn nearer to the viewer, as ParaView does in the representation
+   * Ink; for other programs, see GetInkShader(). Elsewhere a thousandth shows them from one side.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);

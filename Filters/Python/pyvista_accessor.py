@@ -6,10 +6,12 @@ from typing import Any, Optional
 
 import pyvista
 
+from .drawing import draw_as_ink
 from .export import write_raw_field, write_rosy, write_sharp
-from .fields import DataObjects, smooth_field
+from .fields import DataObjects, Property, _set_known_property, smooth_field, update
 from .flows import hodge
 from .geodesics import transport
+from .vtkFiltersDirectionalFields import vtkFieldLines
 
 
 @pyvista.register_dataset_accessor("directional", pyvista.PolyData)
@@ -34,6 +36,18 @@ class DirectionalAccessor:
     def transport(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with vectors carried along shortest paths; see directionalmultigrid.transport."""
         return transport(self._mesh, vectors, **arguments)
+
+    def add_lines(self, plotter: Any, *, color: Any = "navy", line_width: float = 3, **properties: Property) -> Any:
+        """Adds evenly spaced lines along the field of this mesh to a plotter, as ink, which shows from both sides; returns their actor.
+
+        properties are those of vtkFieldLines by name, as SeparatingDistance=0.03.
+        """
+        lines, mesh = vtkFieldLines(), type(self._mesh)()
+        lines.SetInputData(self._mesh)
+        for name, value in properties.items():
+            _set_known_property(lines, name, value, ("plotter", "color", "line_width"))
+        mesh.ShallowCopy(update(lines))
+        return draw_as_ink(plotter.add_mesh(mesh, color=color, line_width=line_width, lighting=False))
 
     def write_rosy(self, path: Any) -> None:
         """Writes the field of this mesh; see directionalmultigrid.write_rosy."""

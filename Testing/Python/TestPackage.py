@@ -8,6 +8,7 @@ import sys
 import types
 import typing
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -328,6 +329,17 @@ class Accessor(unittest.TestCase):
         carried = mesh.directional.transport(point=(1, 0, 0), direction=(0, 0, 1))
         self.assertIs(type(carried), self.pyvista.PolyData)
         self.assertTrue(carried.GetPointData().HasArray("LogarithmicMap"))
+
+        plotter = unittest.mock.Mock()
+        actor = result.directional.add_lines(plotter, color="red", SeparatingDistance=0.05)
+        (lines,), style = plotter.add_mesh.call_args
+        self.assertIs(type(lines), self.pyvista.PolyData)
+        self.assertGreater(lines.GetNumberOfLines(), 10)
+        self.assertEqual(style["color"], "red")
+        self.assertIs(actor, plotter.add_mesh.return_value)
+        actor.GetShaderProperty().AddVertexShaderReplacement.assert_called_once()
+        with self.assertRaisesRegex(TypeError, "did you mean SeparatingDistance"):
+            result.directional.add_lines(plotter, SeparatingDistances=0.05)
 
 
 if __name__ == "__main__":
