@@ -14,6 +14,13 @@ from surfaces import cup, source
 LAYERS = [(1, 1.7, 60, -55), (0.86, 1.56, 0, -105), (0.72, 1.42, -60, None)]
 
 
+def above(data, height=-1.25):
+    """What is above a plane: all but the tips, where lines meet."""
+    clip = Clip(Input=data, ClipType="Plane", Invert=0)
+    clip.ClipType.Origin, clip.ClipType.Normal = [0, 0, height], [0, 0, 1]
+    return ExtractSurface(Input=clip)
+
+
 def half(data, angle):
     """What is on one side of a plane through the z-axis."""
     if angle is None:
@@ -33,10 +40,8 @@ def main():
                                     BoundaryWeight=1, CurvatureWeight=0.3, Rotation=rotation)
         angles = FieldAngles(Input=field, ReferenceVectors=["POINTS", "Around"])
         layers.append(angles)
-        show_surface(half(CellDatatoPointData(Input=angles), side), view, "Angle", Ambient=0.4, Diffuse=0.75)
-        lines = Clip(Input=lines_along(field, 0.013), ClipType="Plane", Invert=0)  # without the tip, where all meet
-        lines.ClipType.Origin, lines.ClipType.Normal = [0, 0, -0.94 * depth], [0, 0, 1]
-        show(half(lines, side), view, BLUE)
+        show_surface(half(above(CellDatatoPointData(Input=angles)), side), view, "Angle", Ambient=0.4, Diffuse=0.75)
+        show(half(above(lines_along(field, 0.013)), side), view, BLUE)
     GetColorTransferFunction("Angle").RGBPoints = [-60, 0.6, 0.72, 0.9, 0, 1, 0.97, 0.9, 60, 0.92, 0.6, 0.5]
     save(view, "fibres", 1.2)
     return layers

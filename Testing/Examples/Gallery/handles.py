@@ -10,13 +10,12 @@ from surfaces import tangle, source
 
 def main():
     field = HarmonicFieldSolver(Input=source(tangle()), Discretisation="Face Field", UnitLength=0)
-    view = view_from([1, 0.8, 1.25], [900, 820])
+    view = view_from([0.25, 0.35, 1], [900, 820])
     speed = Calculator(Input=field, ResultArrayName="Speed", Function="mag(Direction0)")
     show_surface(speed, view, "Speed", Ambient=0.3, Diffuse=0.8)
     speed.UpdatePipeline()
     colour_by_size("Speed", speed.PointData["Speed"].GetRange()[1])
-    show_lines(field, view, 0.015, heads=0)
-    show(glyphs_on(field, SeparatingDistance=0.04), view, BLUE)
+    show_lines(field, view, 0.016)
     show_singularities(field, view)
     save(view, "handles", 1.2)
     return field

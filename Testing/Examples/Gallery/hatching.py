@@ -100,8 +100,8 @@ def main():
     lines = servermanager.Fetch(FieldLines(Input=field, SeparatingDistance=0.009, Lift=0))
     paper = Paper(servermanager.Fetch(field))
     branches = vtk_to_numpy(lines.GetCellData().GetArray("Branch"))
-    hatching = on_paper(strokes(lines, lambda line, at: paper.light(at) < TONES[branches[line]] and paper.is_seen(at), 0.02 * paper.size))
-    outline = on_paper(strokes(paper.outline(), lambda line, at: paper.is_seen(at), 0.02 * paper.size))
+    hatching = on_paper(strokes(lines, lambda line, at: paper.light(at) < TONES[branches[line]] and paper.is_seen(at), 0.05 * paper.size))
+    outline = on_paper(strokes(paper.outline(), lambda line, at: paper.is_seen(at), 0.05 * paper.size))
     view = view_from([0, 0, 1], [1200, 1000])
     for data, width in ((hatching, 2), (outline, 4)):
         show(source(data), view, [0.1, 0.1, 0.14], Representation="Wireframe", LineWidth=width, Ambient=1, Diffuse=0)

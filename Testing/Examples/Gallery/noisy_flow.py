@@ -32,8 +32,7 @@ def main():
     for k, drawn in enumerate([data, field]):
         show_surface(drawn, view, Position=[3 * k, 0, 0])
     show(glyphs_on(data, Directions=["CELLS", "Measured"], SeparatingDistance=0.04), view, RED)
-    show_lines(field, view, 0.02, Position=[3, 0, 0])
-    show(glyphs_on(field, SeparatingDistance=0.04), view, BLUE, Position=[3, 0, 0])
+    show_lines(field, view, 0.025, Position=[3, 0, 0])
     save(view, "noisy_flow", 2.5)
     return field
 

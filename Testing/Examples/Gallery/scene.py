@@ -1,6 +1,11 @@
 """What the scenes of the gallery share: how surfaces are opened, lit and coloured, and how fields are drawn on them."""
 
+import numpy as np
 from paraview.simple import *
+from surfaces import source
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 try:
     SurfaceNormals
@@ -88,6 +93,24 @@ def show_singularities(field, view, radius=0.01, **properties):
     singularities = FieldSingularities(Input=field, SphereRadius=radius)
     show(OutputPort(singularities, 3), view, Representation="Sign Colors", Specular=0.4, **properties)
     return servermanager.Fetch(singularities)
+
+
+def show_text(text, place, view, height, colour=(0.1, 0.1, 0.14)):
+    """Letters around a place, towards the viewer of a parallel view."""
+    letters, transform, placed = vtkVectorText(), vtkTransform(), vtkTransformPolyDataFilter()
+    letters.SetText(text)
+    letters.Update()
+    left, right, below, above, _, _ = letters.GetOutput().GetBounds()
+    towards, up = (np.array(v) / np.linalg.norm(v) for v in (view.CameraPosition, view.CameraViewUp))
+    across = np.cross(up, towards) / np.linalg.norm(np.cross(up, towards))
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = height * np.stack([across, np.cross(towards, across), towards], 1), place
+    transform.SetMatrix(matrix.ravel())
+    transform.Translate(-(left + right) / 2, -(below + above) / 2, 0)
+    placed.SetTransform(transform)
+    placed.SetInputConnection(letters.GetOutputPort())
+    placed.Update()
+    return show(source(placed.GetOutput()), view, list(colour), Ambient=1, Diffuse=0)
 
 
 def show_quads(quads, view, width=0.0011, **properties):

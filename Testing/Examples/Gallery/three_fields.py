@@ -35,9 +35,7 @@ def draw(field, strokes, name):
         magnitude = Calculator(Input=field, ResultArrayName="Magnitude", Function="mag(Direction0)")
         show_surface(magnitude, view, "Magnitude", Ambient=0.3, Diffuse=0.8)
         colour_by_size("Magnitude", 1)
-        show_lines(field, view, 0.025, heads=0)
-    if name == "face_field":
-        show(glyphs_on(field, SeparatingDistance=0.05), view, BLUE)
+        show_lines(field, view, 0.025)
     for stroke in strokes:
         show_arrow(stroke, view, 0.5, Position=[0, 0, 0.05])
     show_singularities(field, view)
