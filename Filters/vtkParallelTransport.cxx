@@ -11,6 +11,7 @@
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Support/Errors.h"
 
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldGlyphs.h"
@@ -21,6 +22,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkParallelTransport);
@@ -29,10 +33,26 @@ class vtkParallelTransport::vtkInternals
 {
 public:
   dmg::TransportSurface Surface;
+  int Places = 0; ///< of maps in this execution: one for each leaf of a composite dataset
+
+  /// The executions of leaves begin and end within that of their composite dataset.
+  void BeginExecution()
+  {
+    if (this->OpenExecutions++ == 0)
+    {
+      this->Places = 0;
+    }
+  }
+  void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
+
+private:
+  int OpenExecutions = 0;
 };
 
 namespace
 {
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The vectors of an array that count as sources; none where no array is chosen.
 /// \param warnings for the user.
@@ -64,11 +84,49 @@ dmg::Constraints SourcesFromArray(
 vtkParallelTransport::vtkParallelTransport()
   : Internals(new vtkInternals)
 {
+  std::fill_n(this->PointOnSurface, 3, NotANumber);
   this->SetNumberOfOutputPorts(3);
+  this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
+  this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
 
 //------------------------------------------------------------------------------
 vtkParallelTransport::~vtkParallelTransport() = default;
+
+//------------------------------------------------------------------------------
+void vtkParallelTransport::SetPoint(double x, double y, double z)
+{
+  this->SetPointOfPanel(x, y, z);
+  this->UsePointOn();
+}
+
+//------------------------------------------------------------------------------
+void vtkParallelTransport::SetPointOfPanel(double x, double y, double z)
+{
+  const double point[] = { x, y, z };
+  if (!std::equal(point, point + 3, this->Point))
+  {
+    std::copy_n(point, 3, this->Point);
+    if (this->UsePoint)
+    {
+      this->Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkParallelTransport::SetUsePoint(bool use)
+{
+  if (use != this->UsePoint)
+  {
+    this->UsePoint = use;
+    const bool isChosen = std::equal(this->Point, this->Point + 3, this->PointOnSurface);
+    if (!use || !isChosen)
+    {
+      this->Modified();
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 int vtkParallelTransport::GetNumberOfSetups() const
@@ -93,6 +151,7 @@ int vtkParallelTransport::FillOutputPortInformation(int port, vtkInformation* in
 int vtkParallelTransport::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  std::fill_n(this->PointOnSurface, 3, NotANumber);
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
@@ -117,11 +176,16 @@ int vtkParallelTransport::RequestData(
     const bool isPointSource = this->AddPoint || sources.AreEmpty();
     if (isPointSource || this->LogarithmicMap)
     {
-      const dmg::PlacedDirection point = surface.Place(dmg::Vector3(this->Point), dmg::Vector3(this->Direction));
+      const std::optional<dmg::Vector3> place =
+        this->UsePoint ? std::make_optional<dmg::Vector3>(this->Point) : std::nullopt;
+      const dmg::PlacedDirection point = surface.Place(place, dmg::Vector3(this->Direction));
+      if (this->Internals->Places++ == 0)
+      {
+        std::copy_n(point.Position.data(), 3, this->PointOnSurface);
+      }
       if (!point.IsGiven)
       {
-        warn(
-          "Direction is perpendicular to the surface at the point next to Point; another direction takes its place.");
+        warn("Direction is perpendicular to the surface at the point of the map; another direction takes its place.");
       }
       if (isPointSource)
       {
@@ -159,6 +223,9 @@ void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n";
+  os << indent << "UsePoint: " << (this->UsePoint ? "On" : "Off") << "\n";
+  os << indent << "PointOnSurface: " << this->PointOnSurface[0] << " " << this->PointOnSurface[1] << " "
+     << this->PointOnSurface[2] << "\n";
   os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " " << this->Direction[2] << "\n";
   os << indent << "AddPoint: " << (this->AddPoint ? "On" : "Off") << "\n";
   os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";

@@ -13,7 +13,8 @@
  *
  * - an array of vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default none. A vector counts
  *   where it is finite and not zero; its tangential part is carried, with its length.
- * - Direction at the point of the surface that is nearest to Point, where no array is chosen or where AddPoint is on.
+ * - Direction at a point of the surface, where no array is chosen or where AddPoint is on: the one that is nearest to Point or, as long as
+ *   nobody has set Point, one that the filter chooses (UsePoint).
  *
  * @section vtkParallelTransport-Output Output
  *
@@ -43,7 +44,7 @@
  * @section vtkParallelTransport-Execution Execution
  *
  * Sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
- * Blocks of composite inputs are surfaces of their own, each with its nearest point.
+ * Blocks of composite inputs are surfaces of their own, each with a point of its own.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -65,10 +66,32 @@ public:
 
   ///@{
   /**
-   * A place whose nearest point of the surface is the point of the logarithmic map, and the source of Direction. Default (0, 0, 0).
+   * A place whose nearest point of the surface is the point of the logarithmic map, and the source of Direction. To set it switches
+   * UsePoint on. Default (0, 0, 0), which is not used.
    */
-  vtkSetVector3Macro(Point, double);
+  void SetPoint(double x, double y, double z);
+  void SetPoint(const double point[3]) { this->SetPoint(point[0], point[1], point[2]); }
+  void SetPointOfPanel(double x, double y, double z); ///< leaves UsePoint as it is, which ParaView sets, too
   vtkGetVector3Macro(Point, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether Point is used. Else the filter chooses the point of the map: on the component of the surface that has the largest area, the
+   * point nearest to the middle of the front of its bounds, where z is largest, so that whoever looks along -z sees it. Default off, until
+   * Point is set.
+   */
+  void SetUsePoint(bool use);
+  vtkGetMacro(UsePoint, bool);
+  vtkBooleanMacro(UsePoint, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the point of the map was in the last execution: a point of the surface. Not a number where there was none, or several, one for
+   * each block. To set Point to it changes no output and starts no execution.
+   */
+  vtkGetVector3Macro(PointOnSurface, double);
   ///@}
 
   ///@{
@@ -154,6 +177,8 @@ protected:
 
 private:
   double Point[3] = { 0.0, 0.0, 0.0 };
+  bool UsePoint = false;
+  double PointOnSurface[3];
   double Direction[3] = { 1.0, 0.0, 0.0 };
   bool AddPoint = false;
   bool LogarithmicMap = true;

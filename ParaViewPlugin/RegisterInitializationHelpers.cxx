@@ -3,13 +3,11 @@
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkSMCenteredColorsInitializationHelper.h"
+#include "vtkSMChosenPointInitializationHelper.h"
 #include "vtkSMConvergenceChartInitializationHelper.h"
 #include "vtkSMCyclicColorsInitializationHelper.h"
-#include "vtkSMDeletedInputsInitializationHelper.h"
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
-#include "vtkSMFollowedInitializationHelper.h"
-#include "vtkSMGuidesFirstInitializationHelper.h"
 
 namespace
 {
@@ -26,12 +24,10 @@ void RegisterInitializationHelpers()
     [](vtkClientServerInterpreter* interpreter)
     {
       Register<vtkSMCenteredColorsInitializationHelper>(interpreter, "vtkSMCenteredColorsInitializationHelper");
+      Register<vtkSMChosenPointInitializationHelper>(interpreter, "vtkSMChosenPointInitializationHelper");
       Register<vtkSMConvergenceChartInitializationHelper>(interpreter, "vtkSMConvergenceChartInitializationHelper");
       Register<vtkSMCyclicColorsInitializationHelper>(interpreter, "vtkSMCyclicColorsInitializationHelper");
-      Register<vtkSMDeletedInputsInitializationHelper>(interpreter, "vtkSMDeletedInputsInitializationHelper");
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
-      Register<vtkSMFollowedInitializationHelper>(interpreter, "vtkSMFollowedInitializationHelper");
-      Register<vtkSMGuidesFirstInitializationHelper>(interpreter, "vtkSMGuidesFirstInitializationHelper");
     });
 }

@@ -20,8 +20,9 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequ
                 pyvista.PolyData. It is not changed.
     vectors     the name of an array of vectors at points, else on cells, zero or NaN where nothing is given; by default, the direction
                 at the point is carried
-    point       a place; the point of the mesh that is nearest to it is that of the map, by default the one nearest to the middle of
-                the mesh's bounds. Beside vectors, its direction counts only with AddPoint=True.
+    point       a place; the point of the mesh that is nearest to it is that of the map. By default, the one on the largest component
+                that is nearest to the middle of the front of its bounds, where z is largest. Beside vectors, its direction counts only
+                with AddPoint=True.
     direction   the vector there, of which the part along the surface counts, and the zero of the angles; by default (1, 0, 0)
     properties  properties of vtkParallelTransport by name, as TextureSize=0.5, LogarithmicMap=False
 
@@ -36,8 +37,8 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequ
     carry.SetInputData(mesh)
     for name, value in properties.items():
         _set_known_property(carry, name, value, ("vectors", "point", "direction"))
-    low, high = mesh.GetBounds()[::2], mesh.GetBounds()[1::2]
-    carry.SetPoint(*_three("point", [(a + b) / 2 for a, b in zip(low, high)] if point is None else point))
+    if point is not None:
+        carry.SetPoint(*_three("point", point))
     if direction is not None:
         carry.SetDirection(*_three("direction", direction))
     _choose_array(carry, mesh, 0, vectors)

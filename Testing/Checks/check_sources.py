@@ -269,10 +269,10 @@ def headers_of_filter(root, name):
 
 
 def properties_of_proxy(proxy, proxies):
-    """The properties of a proxy, and those of its base, by their C++ names."""
+    """The properties of a proxy, and those of its base, by their C++ names, whose setters for the panel may end with OfPanel."""
     base = proxies.get(proxy.get("base_proxyname", ""))
     properties = {} if base is None else properties_of_proxy(base, proxies)
-    properties.update((child.get("command")[3:], child) for child in proxy if child.get("command", "").startswith("Set"))
+    properties.update((child.get("command")[3:].removesuffix("OfPanel"), child) for child in proxy if child.get("command", "").startswith("Set"))
     return properties
 
 

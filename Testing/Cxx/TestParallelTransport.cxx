@@ -42,7 +42,7 @@ void ExpectEverywhere(vtkDataSet* output, const Vector3& vector)
 
 }
 
-TEST(ParallelTransportFilter, WithNothingSaidMapsThePointNextToTheOrigin)
+TEST(ParallelTransportFilter, WithNothingSaidMapsTheMiddleOfAPlane)
 {
   const auto plane = PolyDataOf(PlaneGrid(10, 8));
   vtkNew<vtkParallelTransport> filter;
@@ -56,11 +56,13 @@ TEST(ParallelTransportFilter, WithNothingSaidMapsThePointNextToTheOrigin)
   EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
   EXPECT_STREQ(output->GetPointData()->GetVectors()->GetName(), "TransportedVectors");
   const auto start = static_cast<vtkIdType>(Values(output->GetFieldData(), "MapPoint").at(0));
-  EXPECT_EQ(Vector3(plane->GetPoint(start)), Vector3(0.0, 0.0, 0.0));
-  const double farthest = std::hypot(10.0, 8.0);
+  const Vector3 middle(5.0, 4.0, 0.0);
+  EXPECT_EQ(Vector3(plane->GetPoint(start)), middle);
+  EXPECT_EQ(Vector3(filter->GetPointOnSurface()), middle);
+  const double farthest = middle.norm();
   for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
   {
-    const Vector3 place(plane->GetPoint(point));
+    const Vector3 place = Vector3(plane->GetPoint(point)) - middle;
     double map[2], texture[2];
     output->GetPointData()->GetArray("LogarithmicMap")->GetTuple(point, map);
     output->GetPointData()->GetTCoords()->GetTuple(point, texture);
@@ -73,6 +75,45 @@ TEST(ParallelTransportFilter, WithNothingSaidMapsThePointNextToTheOrigin)
     const double degrees = std::atan2(place.y(), place.x()) * 180.0 / dmg::Pi;
     EXPECT_NEAR(output->GetPointData()->GetArray("GeodesicAngle")->GetComponent(point, 0), degrees, 1e-5);
   }
+}
+
+TEST(ParallelTransportFilter, ChoosesAPointInFrontOnTheLargestComponent)
+{
+  Surface debris = Icosphere(0);
+  debris.V *= 0.01;
+  const auto scan = PolyDataOf(Union(debris, Icosphere(3), Vector3(0.0, 0.0, -2.0)));
+  vtkNew<vtkParallelTransport> filter;
+  filter->SetInputData(scan);
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_TRUE(messages.Silent());
+  vtkDataSet* const output = OutputOf(filter);
+  EXPECT_EQ(Values(output->GetFieldData(), "PointsWithoutMap"), std::vector<double>{ 12.0 });
+  const auto start = static_cast<vtkIdType>(Values(output->GetFieldData(), "MapPoint").at(0));
+  const Vector3 place(scan->GetPoint(start));
+  EXPECT_EQ(Vector3(filter->GetPointOnSurface()), place);
+  EXPECT_LE((place - Vector3(0.0, 0.0, -1.0)).norm(), 0.1); // and a vertex is near
+
+  const vtkMTimeType before = filter->GetMTime();
+  const std::vector<double> distances = Values(output->GetPointData(), "GeodesicDistance");
+  filter->SetPoint(place.data());
+  EXPECT_TRUE(filter->GetUsePoint());
+  EXPECT_EQ(filter->GetMTime(), before);
+  filter->Modified();
+  filter->Update();
+  const std::vector<double> again = Values(OutputOf(filter)->GetPointData(), "GeodesicDistance");
+  EXPECT_EQ(
+    std::vector<double>(again.begin() + 12, again.end()), std::vector<double>(distances.begin() + 12, distances.end()));
+
+  filter->SetPoint(0.0, 0.0, -3.0);
+  filter->Update();
+  EXPECT_LE((Vector3(filter->GetPointOnSurface()) - Vector3(0.0, 0.0, -3.0)).norm(), 0.1);
+  filter->UsePointOff();
+  filter->Update();
+  EXPECT_EQ(Vector3(filter->GetPointOnSurface()), place);
+  filter->SetTimeStep(0.0); // an error
+  filter->Update();
+  EXPECT_TRUE(std::isnan(filter->GetPointOnSurface()[0]));
 }
 
 TEST(ParallelTransportFilter, MapsFromAnyPointAndDirection)

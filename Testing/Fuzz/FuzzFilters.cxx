@@ -589,6 +589,7 @@ void RunCase(unsigned long long seed)
   transport->SetPoint(choose.Number(), choose.Number(), choose.Number());
   transport->SetDirection(choose.Number(), choose.Number(), choose.Number());
   transport->SetAddPoint(choose.OneIn(2));
+  transport->SetUsePoint(transport->GetAddPoint());
   transport->SetTextureSize(choose.OneIn(2) ? choose.Unit() : 0.0);
   transport->SetTimeStep(choose.OneIn(4) ? 100.0 * choose.Unit() : 4.0);
   Draw(choose, { transport }, field);

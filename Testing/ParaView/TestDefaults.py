@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 XML_FOLDER = pathlib.Path(sys.argv.pop())
+UNIT = " (\N{DEGREE SIGN})"  # which Python leaves out of the names that it makes of labels
 WEIGHTS = {"Alignment", "BoundaryWeight", "SharpEdgesWeight", "CurvatureWeight"}  # refused where they are used
 simple.LoadPlugin(sys.argv.pop(), remote=False, ns=globals())
 
@@ -95,7 +96,7 @@ class Defaults(unittest.TestCase):
                             algorithm.Update()
                             self.assertEqual(len(errors), 1)
                             check = self.assertNotIn if value == end else self.assertIn
-                            check(f": {child.get('label')} is {value:.6g}; ", errors[0])
+                            check(f": {child.get('label').removesuffix(UNIT)} is {value:.6g}; ", errors[0])
                 getattr(algorithm, "Set" + member)(default)
 
     def test_every_property_is_offered(self):
@@ -106,7 +107,7 @@ class Defaults(unittest.TestCase):
                    for member in vars(kind)}
             settable = {member[3:] for member in own
                         if member.startswith("Set") and "G" + member[1:] in own}
-            settable -= {child.get("command")[3:] for child in element
+            settable -= {child.get("name") for child in element
                          if child.tag == "DoubleVectorProperty" and child.get("number_of_elements") != "1"}
             with self.subTest(proxy=name):
                 inherited = {member[3:] for base in type(algorithm).__mro__[1:] for member in vars(base)} - settable
@@ -119,6 +120,17 @@ class Defaults(unittest.TestCase):
                 if child.tag.endswith("Property"):
                     with self.subTest(proxy=name, property=child.get("name")):
                         self.assertIn(child.get("name").replace(" ", ""), proxy.ListProperties())
+
+    def test_angles_have_a_unit(self):
+        angles = 0
+        for path in XML_FOLDER.glob("*.xml"):
+            for child in ElementTree.parse(path).getroot().iter():
+                if child.tag.endswith("Property") and child.get("name"):
+                    isAngle = "in degrees" in " ".join(child.findtext("Documentation", "").split())
+                    angles += isAngle
+                    with self.subTest(file=path.name, property=child.get("name")):
+                        self.assertEqual(child.get("label", "").endswith(UNIT), isAngle)
+        self.assertGreater(angles, 12)
 
     def test_everything_is_documented(self):
         for name, element, proxy, algorithm in proxies():

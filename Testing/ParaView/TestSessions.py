@@ -147,6 +147,33 @@ class Sessions(unittest.TestCase):
         field.FourthGuide, field.GuideWeights = None, "3"
         self.assertEqual(fetch(field).GetFieldData().GetArray("GuidesTaken").GetValue(0), 3 * 6)
 
+    def test_what_is_deleted_is_followed_no_more_after_a_state_either(self):
+        self.a_pipeline()
+        state = str(FOLDER / "deleted.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+        field = simple.FindSource("Field")
+        self.assertEqual(fetch(field).GetFieldData().GetArray("GuidesTaken").GetValue(0), 6)
+        simple.Delete(simple.FindSource("Line"))
+        alone = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=3, Alignment=2, Rotation=25)
+        self.assert_same(fetch(field), fetch(alone))
+        self.assertFalse(fetch(field).GetFieldData().HasArray("GuidesTaken"))
+
+    def test_a_state_keeps_the_point_of_a_map(self):
+        carried = simple.ParallelTransport(registrationName="Map", Input=sphere())
+        before = arrays_of(fetch(carried))
+        place = list(carried.Point)
+        state = str(FOLDER / "map.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+        carried = simple.FindSource("Map")
+        self.assertEqual((list(carried.Point), carried.UsePoint), (place, 1))
+        self.assertEqual(arrays_of(fetch(carried)), before)
+        carried.Point = [1, 0, 0]
+        self.assertNotEqual(arrays_of(fetch(carried)), before)
+
     def test_a_state_of_a_former_version_gives_the_same_field(self):
         path = FOLDER / "former.pvsm"
         path.write_text(FORMER_STATE)

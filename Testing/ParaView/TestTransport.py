@@ -2,6 +2,7 @@
 
 import numpy as np
 import paraview.simple as simple
+from directionalmultigrid import vtkFiltersDirectionalFields  # so that Python knows the class
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
@@ -14,7 +15,37 @@ def array(attributes, name):
     return vtk_to_numpy(attributes.GetArray(name))
 
 
+def map_point(proxy):
+    return int(simple.servermanager.Fetch(proxy).GetFieldData().GetArray("MapPoint").GetValue(0))
+
+
+def check_chosen_point():
+    """Nothing said: the filter chooses a point of the surface, and Point is there after the update. Whoever gives one has chosen."""
+    ball = simple.Sphere(Radius=2, ThetaResolution=40, PhiResolution=40, Center=[5, 0, 0])
+    ball.UpdatePipeline()
+    carried = simple.ParallelTransport(Input=ball)
+    assert np.allclose(carried.Point, [5, 0, 2]) and not carried.UsePoint  # in the middle of the front of the bounds
+    bumps = simple.Calculator(Input=ball, CoordinateResults=1, Function="coords + 0.1 * sin(5 * coordsX) * coords")
+    carried = simple.ParallelTransport(Input=bumps)
+    arrays, places = points_of(carried)
+    start = map_point(carried)
+    assert list(carried.Point) == list(places[start]) and carried.UsePoint, (carried.Point, places[start])
+    carried.UpdatePipeline()
+    solves = carried.GetClientSideObject().GetNumberOfSolves()
+    for given in ([0, 0, 0], list(places[7])):  # the first is that of a new property
+        carried = simple.ParallelTransport(Input=bumps, Point=given)
+        carried.UpdatePipeline()
+        assert list(carried.Point) == given and carried.UsePoint
+        assert carried.GetClientSideObject().GetNumberOfSolves() == solves  # one execution
+        away = np.linalg.norm(places - given, axis=1)
+        assert away[map_point(carried)] < away.min() + 1e-6, (map_point(carried), away.argmin())
+    blocks = simple.ParallelTransport(Input=simple.GroupDatasets(Input=[ball, simple.Sphere()]))
+    blocks.UpdatePipeline()
+    assert not blocks.UsePoint  # each block has a point of its own
+
+
 def main():
+    check_chosen_point()
     plane = simple.Plane(XResolution=14, YResolution=14)
     carried = simple.ParallelTransport(Input=plane)
     arrays, places = points_of(carried)

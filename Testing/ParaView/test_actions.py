@@ -196,9 +196,9 @@ def draw_strokes(window):
     of_second = prescribed(second) > 1.001 * prescribed(first)
     assert np.allclose(prescribed(alone)[of_second & (prescribed(first) == 0)],
                        0.25 * prescribed(second)[of_second & (prescribed(first) == 0)])
-    # Moved to the first list by hand, and deleted, it is followed no more.
-    window.play("moved", window.set("Guides/1QComboBox0", "PolyLineSource2"), window.set("SecondGuide/1QComboBox0", "(none)"),
-                window.apply())
+    # Chosen in the first list, it is no longer in the second one; deleted, it is followed no more.
+    moved = window.play("moved", window.set("Guides/1QComboBox0", "PolyLineSource2"), window.apply(), window.look_at("/0/0/0"))
+    assert taken(moved) == 1 and "more than once" not in window.log.read_text()
     bare = window.play("bare", window.look_at("/0/2"), window.opened(f"{MAIN}/menubar/menu_Edit/actionDelete", ""),
                        window.look_at("/0/0/0"), window.apply())
     assert not bare.GetFieldData().HasArray("GuidesTaken")

@@ -391,10 +391,14 @@ def check_flow(result):
 
 
 def check_transport(result):
-    """Distances from the point that is nearest to the middle are those of great circles; colours show them."""
+    """The point in front is chosen, and the handle is there. Distances from it are those of great circles; colours show them."""
     carried = read(result)
     places = vtk_to_numpy(carried.GetPoints().GetData()).astype(float)
     start = places[int(carried.GetFieldData().GetArray("MapPoint").GetValue(0))]
+    assert start[2] > 1 - 1e-6, start
+    state = ElementTree.parse(result.with_suffix(".pvsm"))
+    transport = next(proxy for proxy in state.iter("Proxy") if proxy.get("type") == "ParallelTransport")
+    assert [float(value_of(transport, "Point", k)) for k in range(3)] == list(start), start
     exact = np.arccos(np.clip(places @ start, -1, 1))
     near = exact < 2.6
     distance = vtk_to_numpy(carried.GetPointData().GetArray("GeodesicDistance"))

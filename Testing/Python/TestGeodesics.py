@@ -98,7 +98,11 @@ class Geodesics(unittest.TestCase):
         carry.SetInputData(blocks)
         carry.Update()
         for index in range(2):
-            self.assertTrue(carry.GetOutputDataObject(0).GetBlock(index).GetPointData().HasArray("TransportedVectors"))
+            block = carry.GetOutputDataObject(0).GetBlock(index)
+            self.assertTrue(block.GetPointData().HasArray("TransportedVectors"))
+            start = block.GetPoint(int(values(block.GetFieldData(), "MapPoint")[0]))  # each block has one of its own
+            np.testing.assert_allclose(start, [(0, 0, 0), (0, 0, 1)][index], atol=1e-6)
+        self.assertTrue(np.isnan(carry.GetPointOnSurface()).all())
 
     def test_mistakes(self):
         with self.assertRaisesRegex(TypeError, "did you mean TimeStep"):

@@ -5,6 +5,7 @@
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Geodesics/VertexInFront.h"
 #include "Support/Errors.h"
 
 #include "vtkCellData.h"
@@ -70,23 +71,34 @@ ParallelTransport::StageCounts TransportSurface::Counts() const
   return counts;
 }
 
-PlacedDirection TransportSurface::Place(const Vector3& place, const Vector3& direction) const
+namespace
+{
+
+/// The first of several.
+int NearestVertex(const TriangleMesh& mesh, const Vector3& place)
 {
   if (!place.allFinite())
   {
     throw InvalidInput("Point is not finite; give three numbers");
   }
+  int nearest = 0;
+  (mesh.VertexPositions().rowwise() - place.transpose()).rowwise().stableNorm().minCoeff(&nearest);
+  return nearest;
+}
+
+}
+
+PlacedDirection TransportSurface::Place(const std::optional<Vector3>& place, const Vector3& direction) const
+{
   const double length = direction.stableNorm();
   if (!(length > 0.0) || !std::isfinite(length))
   {
     throw InvalidInput("Direction is zero or not finite; give a vector along the surface");
   }
   constexpr double SmallestTangentialPart = 1e-6;
-  PlacedDirection placed{ 0, direction, true };
-  (this->Prepared->Geometry.Mesh.VertexPositions().rowwise() - place.transpose())
-    .rowwise()
-    .stableNorm()
-    .minCoeff(&placed.Vertex);
+  const TriangleMesh& mesh = this->Prepared->Geometry.Mesh;
+  const int vertex = place ? NearestVertex(mesh, *place) : VertexInFront(mesh);
+  PlacedDirection placed{ vertex, mesh.VertexPositions().row(vertex), direction, true };
   const TangentFrames& frames = this->Prepared->Geometry.Vertices;
   if (std::abs(frames.ToComplex(placed.Vertex, direction)) <= SmallestTangentialPart * length)
   {

@@ -22,6 +22,7 @@ namespace dmg
 struct PlacedDirection
 {
   int Vertex;
+  Vector3 Position; ///< of the vertex
   Vector3 Direction;
   bool IsGiven; ///< rather than any direction in the place of one that is perpendicular to the surface
 };
@@ -39,9 +40,9 @@ public:
   const PreparationReport& Preparation() const { return this->Prepared->Report; }
   FramedSurface Surface() const { return this->Prepared->Surface(); }
 
-  /// A direction at the vertex that is nearest to a place; the first of several.
+  /// A direction at the vertex that is nearest to a place, the first of several; without a place, at VertexInFront.
   /// \throw InvalidInput the place is not finite; the direction is zero or not finite.
-  PlacedDirection Place(const Vector3& place, const Vector3& direction) const;
+  PlacedDirection Place(const std::optional<Vector3>& place, const Vector3& direction) const;
 
   /// Adds TransportedVectors to \p output, a copy of the \p input.
   /// \throw InvalidInput a vector is too long or too short to compute with.

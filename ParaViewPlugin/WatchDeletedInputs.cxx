@@ -1,8 +1,7 @@
-#include "vtkSMDeletedInputsInitializationHelper.h"
+#include "Watches.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkSMInputProperty.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
@@ -13,8 +12,6 @@
 #include "vtkWeakPointer.h"
 
 #include <string>
-
-vtkStandardNewMacro(vtkSMDeletedInputsInitializationHelper);
 
 namespace
 {
@@ -66,7 +63,7 @@ void BeforeUnregistration(vtkObject* proxies, unsigned long, void* data, void* u
 }
 
 //------------------------------------------------------------------------------
-void vtkSMDeletedInputsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+void WatchDeletedInputs(vtkSMProxy* filter)
 {
   vtkNew<vtkCallbackCommand> before;
   before->SetCallback(BeforeUnregistration);

@@ -1,15 +1,12 @@
-#include "vtkSMFollowedInitializationHelper.h"
+#include "Watches.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
 #include <string>
-
-vtkStandardNewMacro(vtkSMFollowedInitializationHelper);
 
 namespace
 {
@@ -32,7 +29,7 @@ void AfterUpdate(vtkObject* caller, unsigned long, void* data, void*)
 }
 
 //------------------------------------------------------------------------------
-void vtkSMFollowedInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+void WatchFollowed(vtkSMProxy* filter)
 {
   vtkNew<vtkCallbackCommand> after;
   after->SetCallback(AfterUpdate);

@@ -1,8 +1,7 @@
-#include "vtkSMGuidesFirstInitializationHelper.h"
+#include "Watches.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkSMInputProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
@@ -10,8 +9,6 @@
 #include "vtkSMTrace.h"
 #include "vtkSMVectorProperty.h"
 #include "vtkSmartPointer.h"
-
-vtkStandardNewMacro(vtkSMGuidesFirstInitializationHelper);
 
 namespace
 {
@@ -63,7 +60,7 @@ void AfterProperties(vtkObject* caller, unsigned long, void*, void*)
 }
 
 //------------------------------------------------------------------------------
-void vtkSMGuidesFirstInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+void WatchGuidesFirst(vtkSMProxy* filter)
 {
   vtkNew<vtkCallbackCommand> after;
   after->SetCallback(AfterProperties);

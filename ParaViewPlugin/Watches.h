@@ -1,0 +1,40 @@
+#ifndef Watches_h
+#define Watches_h
+
+class vtkSMProxy;
+
+/// What filters of the plugin do beside their work in a session of ParaView. Each function adds observers to a filter whose XML asks for it
+/// by a hint:
+///
+///   <Watch for="Followed" />
+///
+/// WatchFilters calls them however the filter has come into being. An InitializationHelper is for new filters alone: ParaView calls none
+/// for those of a state file.
+
+/// "Followed". After an update, one line in the output messages says what the field follows: the property Followed of the filter. It comes
+/// again only where that has changed.
+void WatchFollowed(vtkSMProxy* filter);
+
+/// "GuidesFirst". The button Apply goes through all proxies that have changed, in no order that a person would know, and a new filter is
+/// updated as soon as its turn comes. Guides whose turn comes later have the values of their creation until then. Values that the panel
+/// holds for the inputs of a filter's further ports are therefore taken over when the properties of the filter are, with what these inputs
+/// are made of. The turn of the guides comes all the same, and changes nothing more.
+void WatchGuidesFirst(vtkSMProxy* filter);
+
+/// "GuidesOnce". The panel has a list for each guide, and each list offers all sources. Where somebody chooses a source in one list that
+/// another list has chosen, the other list gives it up. Lists are the inputs whose hints have the element ChosenOnce.
+void WatchGuidesOnce(vtkSMProxy* filter);
+
+/// "DeletedInputs". ParaView keeps a source alive that is deleted while a filter has it as an input: the panel no longer shows it, and the
+/// filter goes on to use it. The window allows this for sources that were moved from one input property to another. So sources that are
+/// deleted are taken out of the inputs of the filter's further ports.
+void WatchDeletedInputs(vtkSMProxy* filter);
+
+/// "ChosenPoint". After an update in which Parallel Transport has chosen the point of its map itself, the property Point, and with it the
+/// handle in the view, is at that point and stays there. Whoever sets Point before has chosen.
+void WatchChosenPoint(vtkSMProxy* filter);
+
+/// Has the filters of all sessions watched, of this time and to come. The plugin calls it when it is loaded.
+void WatchFilters();
+
+#endif
