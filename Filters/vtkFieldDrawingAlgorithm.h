@@ -54,6 +54,7 @@ public:
    *   actor->GetShaderProperty()->AddVertexShaderReplacement(
    *     "//VTK::PositionVC::Impl", true, vtkFieldDrawingAlgorithm::GetInkShader(), false);
    *
+   * Without light (vtkProperty::LightingOff) it has the same colour on both sides.
    * In Python, directionalmultigrid.draw_as_ink(actor) does so.
    */
   static const char* GetInkShader();

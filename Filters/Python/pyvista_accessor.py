@@ -47,7 +47,7 @@ class DirectionalAccessor:
         for name, value in properties.items():
             _set_known_property(lines, name, value, ("plotter", "color", "line_width"))
         mesh.ShallowCopy(update(lines))
-        return draw_as_ink(plotter.add_mesh(mesh, color=color, line_width=line_width, lighting=False))
+        return draw_as_ink(plotter.add_mesh(mesh, color=color, line_width=line_width))
 
     def write_rosy(self, path: Any) -> None:
         """Writes the field of this mesh; see directionalmultigrid.write_rosy."""
