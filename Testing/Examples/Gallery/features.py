@@ -10,7 +10,7 @@ from surfaces import bracket, source
 def main():
     field = HarmonicFieldSolver(Input=source(bracket()), BoundaryWeight=3, SharpEdgesWeight=3)
     view = view_from([1, -0.75, 0.9], [900, 600], [0, 0, 1])
-    show_surface(field, view, Ambient=0.35, Diffuse=0.75)
+    show_surface(field, view)
     show_lines(field, view, 0.014, shortest=2)
     edges = FeatureEdges(Input=field, FeatureAngle=30)
     show(Tube(Input=edges, Radius=0.012), view, GOLD)

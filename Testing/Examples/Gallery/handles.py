@@ -12,7 +12,7 @@ def main():
     field = HarmonicFieldSolver(Input=source(tangle()), Discretisation="Face Field", UnitLength=0)
     view = view_from([0.25, 0.35, 1], [900, 820])
     speed = Calculator(Input=field, ResultArrayName="Speed", Function="mag(Direction0)")
-    show_surface(speed, view, "Speed", Ambient=0.3, Diffuse=0.8)
+    show_surface(speed, view, "Speed")
     speed.UpdatePipeline()
     colour_by_size("Speed", speed.PointData["Speed"].GetRange()[1])
     show_lines(field, view, 0.016)

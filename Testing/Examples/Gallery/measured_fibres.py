@@ -37,7 +37,7 @@ def main():
     view = view_from([0, -1, 0.45], [900, 380], [0, 0, 1])
     for k, (drawn, turn) in enumerate([(data, 0), (field, 0), (field, 180)]):
         place = dict(Position=[2.3 * k, 0, 0], Orientation=[0, 0, turn])
-        show_surface(drawn, view, Ambient=0.3, **place)
+        show_surface(drawn, view, **place)
         if drawn is data:
             strokes = glyphs_on(data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03)
             show(strokes, view, RED)

@@ -11,7 +11,7 @@ from surfaces import duck, source
 def main():
     bends = PrincipalDirections(Input=source(duck()), Scale=4)
     view = view_from([0.55, 0.2, 1], [900, 760])
-    show_surface(bends, view, "Confidence", Ambient=0.25)
+    show_surface(bends, view, "Confidence")
     GetColorTransferFunction("Confidence").RGBPoints = [0, *IVORY, 1, 0.95, 0.75, 0.45]
     for name, colour in (("MaximumDirection", RED), ("MinimumDirection", BLUE)):
         clear = Calculator(Input=bends, AttributeType="Cell Data", ResultArrayName="Clear",

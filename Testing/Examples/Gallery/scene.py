@@ -47,7 +47,7 @@ def show(source, view, colour="", **properties):
 
 def show_surface(surface, view, colour=IVORY, **properties):
     """Smooth but for sharp edges."""
-    look = dict(Ambient=0.15, Diffuse=0.85, Specular=0.08, SpecularPower=20)
+    look = dict(Ambient=0.35, Diffuse=0.72, Specular=0.06, SpecularPower=20)
     return show(SurfaceNormals(Input=surface, FeatureAngle=50), view, colour, **{**look, **properties})
 
 

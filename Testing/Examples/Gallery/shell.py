@@ -10,7 +10,7 @@ from surfaces import cup, source
 def main():
     field = DirectionalField(Input=source(cup(1, 1.1)), BoundaryWeight=1, LineDistance=0.022)
     view = view_from([0.25, -1, 0.75], [900, 760], [0, 0, 1])
-    show_surface(field, view, Ambient=0.3, Diffuse=0.75)
+    show_surface(field, view)
     show(OutputPort(field, 1), view, BLUE, Representation="Ink", LineWidth=4, InkColor=BLUE)
     show(OutputPort(field, 2), view, Representation="Sign Colors", Specular=0.4)
     save(view, "shell", 1.3)

@@ -29,11 +29,11 @@ def show_integrals(form, view):
 def draw(field, strokes, name):
     view = view_from([0.35, 0.3, 1], [900, 630])
     if name == "one_form":
-        show_surface(field, view, Ambient=0.3, Diffuse=0.8)
+        show_surface(field, view)
         show_integrals(field, view)
     else:
         magnitude = Calculator(Input=field, ResultArrayName="Magnitude", Function="mag(Direction0)")
-        show_surface(magnitude, view, "Magnitude", Ambient=0.3, Diffuse=0.8)
+        show_surface(magnitude, view, "Magnitude")
         colour_by_size("Magnitude", 1)
         show_lines(field, view, 0.025)
     for stroke in strokes:
