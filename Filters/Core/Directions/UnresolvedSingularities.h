@@ -15,8 +15,9 @@ namespace dmg
 ///
 /// A vertex is listed where its index, or those of its triangles, has another sign than the sum with the ring's, k / N, and n < 2 k. Pairs
 /// of opposite singularities, as noise and coarse surfaces have them, are not.
-/// \param indices of FieldTopology: per vertex, or per face, then the ring are the triangles across the edges of the vertex's triangles.
-/// \param areAtVertices says which.
+/// \param indices FieldTopology::Indices, per vertex or per face. Of indices per face, the ring is the triangles across the edges of the
+///   vertex's triangles.
+/// \param areAtVertices whether they are per vertex.
 /// \return the vertices, ascending. Cost: linear.
 std::vector<int> UnresolvedSingularities(
   const TriangleMesh& mesh, const Vector<double>& indices, int N, bool areAtVertices);

@@ -42,10 +42,10 @@ struct NestedOptions
   bool MaySweep = true; ///< false: coarse prolongation whatever the sweeps; no matrices are kept
 };
 
-/// Full multigrid (thesis, sections 3.4.2 and 6.5.2: nested iterations): the coarsest system is solved exactly; the
+/// Full multigrid; the thesis calls it nested iterations (sections 3.4.2 and 6.5.2). The coarsest system is solved exactly. The
 /// solution goes up level by level, improved by V-cycles and smoothed by Gauss-Seidel sweeps on each.
 /// Without either this is coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
-/// prolongations. A rough solution at the price of a few cycles, to be looked at or to start from.
+/// prolongations. The result is an approximation at the price of a few cycles, to be looked at or to start from.
 ///
 /// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go down
 /// in the order of each level (SweepOrder), in double precision. Built once per matrix, asked for many right-hand sides.
