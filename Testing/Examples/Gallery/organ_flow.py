@@ -57,7 +57,7 @@ def skeleton(parts, view):
 
 
 def main():
-    organ = surfaces.heart()
+    organ = surfaces.heart(0.028)
     data = surfaces.polydata(*surfaces.triangles_of(organ), Flow=measured(organ))
     parts = HodgeDecomposition(Input=surfaces.source(data), Vectors=["CELLS", "Flow"], NumberOfContours=14)
     view = view_from([0.12, 0, 1], [1200, 760])
