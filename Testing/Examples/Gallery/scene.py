@@ -2,7 +2,6 @@
 
 import numpy as np
 from paraview.simple import *
-from surfaces import source
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
@@ -110,7 +109,9 @@ def show_text(text, place, view, height, colour=(0.1, 0.1, 0.14)):
     placed.SetTransform(transform)
     placed.SetInputConnection(letters.GetOutputPort())
     placed.Update()
-    return show(source(placed.GetOutput()), view, list(colour), Ambient=1, Diffuse=0)
+    producer = TrivialProducer()
+    producer.GetClientSideObject().SetOutput(placed.GetOutput())
+    return show(producer, view, list(colour), Ambient=1, Diffuse=0)
 
 
 def show_quads(quads, view, width=0.0011, **properties):
