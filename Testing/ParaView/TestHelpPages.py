@@ -44,6 +44,11 @@ class HelpPages(unittest.TestCase):
             for exposed in proxy.findall("ExposedProperties/Property"):
                 self.assertRegex(text, f"<(th|i)>{exposed.get('exposed_name')}</(th|i)>", proxy.get("name"))
 
+    def test_tables_are_ascii(self):
+        """The window takes pages for Latin-1."""
+        for proxy in proxies():
+            (PAGES / f"filters.{proxy.get('name')}.html").read_text(encoding="ascii")
+
     def test_pictures_have_the_size_that_they_are_shown_in(self):
         """The window would scale them roughly."""
         for path in PAGES.glob("*.html"):
