@@ -107,24 +107,7 @@ void vtkParallelTransport::SetPointOfPanel(double x, double y, double z)
   if (!std::equal(point, point + 3, this->Point))
   {
     std::copy_n(point, 3, this->Point);
-    if (this->UsePoint)
-    {
-      this->Modified();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkParallelTransport::SetUsePoint(bool use)
-{
-  if (use != this->UsePoint)
-  {
-    this->UsePoint = use;
-    const bool isChosen = std::equal(this->Point, this->Point + 3, this->PointOnSurface);
-    if (!use || !isChosen)
-    {
-      this->Modified();
-    }
+    this->Modified();
   }
 }
 

@@ -81,7 +81,7 @@ public:
    * point nearest to the middle of the front of its bounds, where z is largest, so that whoever looks along -z sees it. Default off, until
    * Point is set.
    */
-  void SetUsePoint(bool use);
+  vtkSetMacro(UsePoint, bool);
   vtkGetMacro(UsePoint, bool);
   vtkBooleanMacro(UsePoint, bool);
   ///@}
@@ -89,7 +89,7 @@ public:
   ///@{
   /**
    * Where the point of the map was in the last execution: a point of the surface. Not a number where there was none, or several, one for
-   * each block. To set Point to it changes no output and starts no execution.
+   * each block, and on all ranks but the first. To set Point to it changes no output.
    */
   vtkGetVector3Macro(PointOnSurface, double);
   ///@}

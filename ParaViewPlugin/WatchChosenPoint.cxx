@@ -2,6 +2,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkProcessModule.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -23,8 +24,7 @@ void AfterUpdate(vtkObject* caller, unsigned long, void*, void*)
   vtkSMPropertyHelper(filter, "PointOnSurface").Get(point, 3);
   if (!vtkSMPropertyHelper(filter, "UsePoint").GetAsInt() && std::isfinite(point[0]))
   {
-    vtkSMPropertyHelper(filter, "Point").Set(point, 3);
-    filter->UpdateVTKObjects();
+    vtkSMPropertyHelper(filter, "Point").Set(point, 3); // the filter hears of it with the next change, and runs once
   }
 }
 }
@@ -36,7 +36,11 @@ void WatchChosenPoint(vtkSMProxy* filter)
   afterPoint->SetCallback(AfterPoint);
   filter->GetProperty("Point")->AddObserver(vtkCommand::ModifiedEvent, afterPoint);
 
-  vtkNew<vtkCallbackCommand> afterUpdate;
-  afterUpdate->SetCallback(AfterUpdate);
-  filter->AddObserver(vtkCommand::UpdateDataEvent, afterUpdate);
+  // Else each rank has properties of its own, and the first one alone knows the point.
+  if (!vtkProcessModule::GetProcessModule()->GetSymmetricMPIMode())
+  {
+    vtkNew<vtkCallbackCommand> afterUpdate;
+    afterUpdate->SetCallback(AfterUpdate);
+    filter->AddObserver(vtkCommand::UpdateDataEvent, afterUpdate);
+  }
 }

@@ -94,12 +94,9 @@ TEST(ParallelTransportFilter, ChoosesAPointInFrontOnTheLargestComponent)
   EXPECT_EQ(Vector3(filter->GetPointOnSurface()), place);
   EXPECT_LE((place - Vector3(0.0, 0.0, -1.0)).norm(), 0.1); // and a vertex is near
 
-  const vtkMTimeType before = filter->GetMTime();
   const std::vector<double> distances = Values(output->GetPointData(), "GeodesicDistance");
   filter->SetPoint(place.data());
   EXPECT_TRUE(filter->GetUsePoint());
-  EXPECT_EQ(filter->GetMTime(), before);
-  filter->Modified();
   filter->Update();
   const std::vector<double> again = Values(OutputOf(filter)->GetPointData(), "GeodesicDistance");
   EXPECT_EQ(

@@ -65,6 +65,20 @@ def check_crosses(solver):
     assert abs((arrays[0] * arrays[1]).sum(axis=1)).max() < 1e-12
 
 
+def check_chosen_point():
+    """Nothing is said: the filter chooses a point, which Point is then. All ranks go on from there."""
+    ball = simple.Sphere(Radius=2, ThetaResolution=40, PhiResolution=40)
+    carried = simple.ParallelTransport(Input=ball)
+    carried.UpdatePipeline()
+    assert list(carried.Point) == [0, 0, 2], list(carried.Point)
+    lines = simple.FieldLines(Input=carried)
+    for change in ({}, {"NumberOfCircles": 5}, {"Point": [2, 0, 0]}):
+        for name, value in change.items():
+            setattr(carried, name, value)
+        lines.UpdatePipeline()
+        assert lines.GetDataInformation(0).GetNumberOfCells() > 100, change
+
+
 def draw(solver, image):
     view = simple.CreateRenderView(ViewSize=[600, 600])
     view.CameraPosition = [4, 2, 2]
@@ -102,6 +116,7 @@ def main():
     for solver in solvers:
         solver.UpdatePipeline()
     check(*solvers)
+    check_chosen_point()
     if options.image:
         draw(solvers[0], options.image)
 
