@@ -185,7 +185,8 @@ class Drawing(unittest.TestCase):
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_ink_shows_from_both_sides(self):
-        """A plane looks alike from above and below, near and far, in perspective and without, in the window and in saved pictures."""
+        """A plane looks alike from above and below, near and far, in perspective and without, in the window and in saved pictures. The
+        lines that are seen have one colour on both sides."""
         plane = simple.Plane(XResolution=30, YResolution=30)
         field = simple.HarmonicFieldSolver(Input=plane)
         flow = simple.HodgeDecomposition(Input=simple.Calculator(Input=plane, ResultArrayName="Flow", Function="jHat*coordsX-iHat*coordsY"),
@@ -195,15 +196,18 @@ class Drawing(unittest.TestCase):
         for ink, port in ((simple.FieldLines(Input=field), 0), (simple.FieldGlyphs(Input=field, Style="Solid"), 0), (flow, 1)):
             for distance, parallel in ((3, 0), (0.3, 0), (3, 1)):
                 with self.subTest(ink=ink.SMProxy.GetXMLName(), distance=distance, parallel=parallel):
-                    seen = []
+                    seen, darkest = [], []
                     for side in (distance, -distance):
                         view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0.02, side], [0, 0, 0], [0, 1, 0]
                         view.CameraParallelProjection = parallel
                         simple.Hide(simple.OutputPort(ink, port), view)
                         plain = self.colours(view)
                         simple.Show(simple.OutputPort(ink, port), view)
-                        seen.append((self.colours(view) != plain).any(axis=1).mean())
+                        inked = self.colours(view)
+                        seen.append((inked != plain).any(axis=1).mean())
+                        darkest.append(inked[inked.sum(axis=1).argmin()].astype(int))
                     self.assertGreater(min(seen), 0.005)
+                    self.assertLess(np.abs(darkest[0] - darkest[1]).max(), 10)
                     self.assertAlmostEqual(seen[0] / seen[1], 1, delta=0.25)
             simple.Hide(simple.OutputPort(ink, port), view)
         simple.Delete(view)
