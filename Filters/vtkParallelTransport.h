@@ -78,8 +78,8 @@ public:
   ///@{
   /**
    * Whether Point is used. Else the filter chooses the point of the map: on the component of the surface that has the largest area, the
-   * point nearest to the middle of the front of its bounds, where z is largest, so that whoever looks along -z sees it. Default off, until
-   * Point is set.
+   * point nearest to the middle of the front of its bounds, where z is largest, so that nothing of that component hides it from whoever
+   * looks along -z. Default off, until Point is set.
    */
   vtkSetMacro(UsePoint, bool);
   vtkGetMacro(UsePoint, bool);
