@@ -88,8 +88,8 @@ public:
 
   ///@{
   /**
-   * Where the point of the map was in the last execution: a point of the surface. Not a number where there was none, or several, one for
-   * each block, and on all ranks but the first. To set Point to it changes no output.
+   * The point of the surface that was the map's in the last execution. It is not a number where there was none, or several, one for each
+   * block, and on all ranks but the first. No output changes where Point is set to it.
    */
   vtkGetVector3Macro(PointOnSurface, double);
   ///@}

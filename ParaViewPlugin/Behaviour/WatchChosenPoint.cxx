@@ -36,7 +36,7 @@ void WatchChosenPoint(vtkSMProxy* filter)
   afterPoint->SetCallback(AfterPoint);
   filter->GetProperty("Point")->AddObserver(vtkCommand::ModifiedEvent, afterPoint);
 
-  // Else each rank has properties of its own, and the first one alone knows the point.
+  // In symmetric mode each rank has properties of its own, and the first one alone knows the point.
   if (!vtkProcessModule::GetProcessModule()->GetSymmetricMPIMode())
   {
     vtkNew<vtkCallbackCommand> afterUpdate;

@@ -29,7 +29,7 @@ void Watch(vtkSMProxy* filter, const std::string& what)
   }
 }
 
-// Not where a filter gets another name: it is registered under both for a while.
+// A filter that gets another name is registered under both for a while, and is watched already.
 void AfterRegistration(vtkObject* caller, unsigned long, void*, void* registered)
 {
   const auto& added = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);

@@ -20,8 +20,7 @@ constexpr double DroppedEntries = 0.001;
 
 // The number of unknowns up to which a factor is ready before multigrid, from the bare mesh.
 constexpr int LargestForCholesky = 30000;
-// From so many solves on, over the root of the number of unknowns, a factor is worth its time: the extra time that it takes is
-// what back-substitutions save against further solves by cycles, on surfaces of some 100,000 vertices.
+// SolverTuning says what these are; they were measured on surfaces of some 100,000 vertices.
 constexpr double SolvesForFactor = 0.5;
 constexpr double BytesOfFactor = 170.0;
 

@@ -12,7 +12,7 @@ namespace dmg
 /// Follows a direction of a field over a surface, exactly: the field is constant on each face, so a line is straight
 /// there, and across an edge it goes on along the direction that turns least (principal matching).
 ///
-/// Where the directions on both sides of an edge lead to it, the line runs along the edge as far as its end (the solution of Filippov,
+/// A line runs along an edge to which the directions on both sides lead, as far as the end of the edge (the solution of Filippov,
 /// Differential Equations with Discontinuous Righthand Sides, 1988). From there it goes into the face or edge around the vertex whose
 /// direction leads away from it, the straightest one.
 ///

@@ -57,8 +57,8 @@ struct SolverTuning
 {
   /// The largest system that Automatic factors, in unknowns.
   int LargestForCholesky = 20000;
-  /// Automatic factors larger systems from SolvesForFactor times sqrt(n) expected solves on, n unknowns: the time to make a factor
-  /// grows like n^1.5, that of a solve like n (George 1973).
+  /// Automatic factors larger systems of n unknowns from SolvesForFactor times sqrt(n) expected solves on. The time to make a factor grows
+  /// like n^1.5 (George 1973), and what back-substitutions save against further solves by cycles grows like n.
   double SolvesForFactor = std::numeric_limits<double>::infinity();
   /// A factor holds about BytesOfFactor times n log2(n) bytes (George 1973).
   double BytesOfFactor = 50.0;
