@@ -127,6 +127,24 @@ class CheckSources(unittest.TestCase):
     def test_ascii(self):
         self.assert_found("Testing/Core/TestMesh.cxx", "// \u03bb\n", "1: not ASCII")
 
+    def test_two_of_one_name(self):
+        first, second = "Filters/Core/Mesh/Mesh.h", "Filters/Core/Support/Types.h"
+        for text, name in (("namespace dmg\n{\nclass Line\n{\n  int A;\n};\n}\n", "3: dmg::Line"),
+                           ("namespace dmg\n{\n// struct\nstruct Line final : Base\n{\n};\n}\n", "4: dmg::Line"),
+                           ("namespace dmg::test\n{\nenum class Kind\n{\n  A\n};\n}\n", "3: dmg::test::Kind"),
+                           ("namespace dmg\n{\ninline int\nLength(const Line& line)\n{\n  return 1;\n}\n}\n",
+                            "4: dmg::Length(const Line& line)")):
+            self.assertEqual(self.found({first: text, second: text}), [f"{second}:{name} is defined in {first}, too"])
+            hidden = text.replace("namespace", "namespace\n{\nnamespace", 1) + "}\n"
+            self.assertEqual(self.found({first: text, second: hidden}), [])
+        different = ("namespace dmg\n{\nclass Line;\nint Length(const Line&);\nstruct A\n{\n  struct Line\n  {\n  };\n};\n}\n",
+                     "namespace dmg\n{\nclass Line\n{\n};\ninline int Length(int line)\n{\n  return line;\n}\n}\n")
+        self.assertEqual(self.found(dict(zip((first, second), different))), [])
+
+    def test_all_indices_by_one_name(self):
+        self.assert_found("Testing/Core/TestMesh.cxx", "a = b(c, Eigen::all);\n",
+                          "1: Eigen::all is not in every release; take All of Support/AllIndices.h")
+
     def test_data_have_an_origin(self):
         self.assert_found("Data/torus.ply", "ply\n",
                           "0: Data/README.md does not list `torus.ply` and its origin")

@@ -12,6 +12,9 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
   core says remedies in words of its own (Support/Remedy.h);
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
+- no two types, and no two functions with a body, of Filters have one qualified name (outside anonymous namespaces): the linker would
+  take either, without a word;
+- Eigen's index of all rows comes from Support/AllIndices.h alone;
 - sources are ASCII;
 - a property of a filter, or of its base class, is told in its header and in its proxy, or the base proxy, with one default;
 - the class comment of a filter has at most COMMENT_LIMIT words;
@@ -232,6 +235,50 @@ def check_texts(root):
                 yield path, number, "using namespace in a header"
 
 
+SCOPE = re.compile(r"(?P<head>[^;{}]*)(?P<mark>[;{}])")
+NAMESPACE = re.compile(r"\bnamespace\s*([\w:]*)\s*$")
+TYPE = re.compile(r"\b(?:class|struct|union|enum(?:\s+class)?)\s+(\w+)\s*(?:final\s*)?(?::[^:].*)?$", re.DOTALL)
+FUNCTION = re.compile(r"([\w:~]+)\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)[\s\w]*(?::[^:].*)?$", re.DOTALL)
+
+
+def definitions(source):
+    """(line number, qualified name) of each type and each function with a body that is in no class and no anonymous namespace; the
+    parameters of a function belong to its name. Templates and static functions are left out."""
+    text = TOKEN.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), source)
+    text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", lambda match: "\n" * match.group().count("\n"), text, flags=re.MULTILINE)
+    scopes = []  # the name of a namespace, None of anything else
+    for match in SCOPE.finditer(text):
+        head, mark = match.group("head", "mark")
+        space = NAMESPACE.search(head)
+        if mark == "}":
+            del scopes[-1:]
+        elif mark == "{":
+            found = TYPE.search(head) or FUNCTION.search(head)
+            if found and not space and all(scopes) and not re.search(r"\b(static|template)\b", head):
+                name = "::".join([*scopes, found.group(1)])
+                parameters = " ".join(found.group(2).split()) if found.re is FUNCTION else None
+                number = text.count("\n", 0, match.start() + found.start(1)) + 1
+                yield number, name if parameters is None else f"{name}({parameters})"
+            scopes.append(space.group(1) if space else None)
+
+
+def check_names(root):
+    known = {}
+    for path in files(root / "Filters", SOURCES):
+        for number, name in definitions(path.read_text(errors="replace")):
+            if known.setdefault(name, path) != path:  # one file may have two, one for each platform
+                yield path, number, f"{name} is defined in {known[name].relative_to(root)}, too"
+
+
+def check_all_indices(root):
+    home = root / "Filters" / "Core" / "Support" / "AllIndices.h"
+    for folder in ("Filters", "Testing"):
+        for path in files(root / folder, SOURCES):
+            for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+                if path != home and re.search(r"\bEigen::(placeholders::)?all\b", line):
+                    yield path, number, "Eigen::all is not in every release; take All of Support/AllIndices.h"
+
+
 def check_data(root):
     data = root / "Data"
     paths = [path for path in data.rglob("*") if path.is_file() and path.name != "README.md"]
@@ -351,7 +398,7 @@ def measurements(root):
 
 
 CHECKS = [check_core, check_kinds, check_words_of_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
-          check_class_comments, check_data]
+          check_class_comments, check_data, check_names, check_all_indices]
 COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
            ("measurements in comments", measurements, MEASUREMENT_LIMIT)]
 

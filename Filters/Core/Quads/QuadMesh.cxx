@@ -5,7 +5,7 @@
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/CutSurface.h"
-#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
 #include "Quads/Crosses/PathsAlongEdges.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
@@ -390,7 +390,7 @@ private:
   Vector<double> Lengths;
   double Fit = 1.0; ///< the factor of FitLengths
   CutSurface Cut;
-  std::optional<LinesOnSurface> Lines; ///< of aligned edges
+  std::optional<LinesOfEdges> Lines; ///< of aligned edges
   std::optional<SeamlessMap> Map;
   Vector<double> BestScales;
 };

@@ -2,7 +2,7 @@
 
 #include "Constraints/SurfaceFeatures.h"
 #include "Mesh/SurfaceSizes.h"
-#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
 #include "Support/DisjointSets.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Constraint> AlongAllSharpEdges(const FramedMesh& surface, double deg
 /// Removes the parts of lines between two corners that are short.
 void RemoveShortParts(const TriangleMesh& mesh, double shortest, std::vector<char>& isSharp)
 {
-  const LinesOnSurface lines(mesh, isSharp);
+  const LinesOfEdges lines(mesh, isSharp);
   DisjointSets parts(mesh.NumberOfEdges());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {

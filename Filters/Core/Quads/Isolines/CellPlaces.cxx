@@ -87,7 +87,7 @@ public:
   }
 
   void PlaceOnLines(
-    const SurfaceAngles& angles, const CrossField& field, const LinesOnSurface& lines, const MapOfCorners& map)
+    const SurfaceAngles& angles, const CrossField& field, const LinesOfEdges& lines, const MapOfCorners& map)
   {
     for (int edge = 0; edge < this->Mesh.NumberOfEdges(); ++edge)
     {
@@ -158,7 +158,7 @@ private:
 }
 
 CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
-  const LinesOnSurface& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells)
+  const LinesOfEdges& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells)
 {
   CellPlacement placement(surface, isolines, cells);
   placement.PlaceAtMeans();

@@ -5,7 +5,7 @@
 #include "Mesh/FramedMesh.h"
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Crosses/CrossField.h"
-#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
 #include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
@@ -36,7 +36,7 @@ struct CellPlaces
 /// \param lines of aligned edges.
 /// Cost: linear.
 CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
-  const LinesOnSurface& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells);
+  const LinesOfEdges& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells);
 
 /// The place of a face that a position on it has.
 SurfacePlace PlaceInFace(const TriangleMesh& mesh, int face, const Vector3& position);

@@ -78,7 +78,7 @@ Vector3 MeanOfNeighbours(const IndexedQuads& quads, const std::vector<int>& arou
 
 /// The place of the surface, or of the line that holds a vertex, that is near to a position. At a vertex of the surface there may be another
 /// one already, so none moves there.
-SurfacePlace PlaceNear(const NearestPlaces& surface, const LinesOnSurface& lines, const CellPlaces& places, int vertex,
+SurfacePlace PlaceNear(const NearestPlaces& surface, const LinesOfEdges& lines, const CellPlaces& places, int vertex,
   const Vector3& position)
 {
   const SurfacePlace& from = places.Places[vertex];
@@ -121,7 +121,7 @@ struct NearestSquare
 class Untangling
 {
 public:
-  Untangling(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places)
+  Untangling(const NearestPlaces& surface, const LinesOfEdges& lines, const IndexedQuads& quads, CellPlaces& places)
     : Surface(surface)
     , Lines(lines)
     , Quads(quads)
@@ -208,7 +208,7 @@ private:
   }
 
   const NearestPlaces& Surface;
-  const LinesOnSurface& Lines;
+  const LinesOfEdges& Lines;
   const IndexedQuads& Quads;
   CellPlaces& Places;
   const std::vector<std::vector<int>> Around;
@@ -227,7 +227,7 @@ Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, con
   return jacobians;
 }
 
-void SmoothQuads(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, int steps,
+void SmoothQuads(const NearestPlaces& surface, const LinesOfEdges& lines, const IndexedQuads& quads, int steps,
   CellPlaces& places, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = surface.Surface.Mesh;
@@ -261,7 +261,7 @@ void SmoothQuads(const NearestPlaces& surface, const LinesOnSurface& lines, cons
   }
 }
 
-void Untangle(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places,
+void Untangle(const NearestPlaces& surface, const LinesOfEdges& lines, const IndexedQuads& quads, CellPlaces& places,
   const ExecutionContext& context)
 {
   constexpr int MostSweeps = 8;

@@ -2,7 +2,7 @@
 #define dmgQuadSmoothing_h
 
 #include "Constraints/NearestPlaces.h"
-#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
 #include "Support/ExecutionContext.h"
@@ -19,11 +19,11 @@ Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, con
 /// Moves vertices towards the corners of the squares that are nearest to the quads around them, and back to the nearest place of the surface,
 /// or of their line, near by. A square is of any size, and turned as its quad is (shape matching; Bouaziz et al. 2012). Quads that are
 /// folded unfold, as squares are counter-clockwise seen from outside.
-void SmoothQuads(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, int steps,
+void SmoothQuads(const NearestPlaces& surface, const LinesOfEdges& lines, const IndexedQuads& quads, int steps,
   CellPlaces& places, const ExecutionContext& context);
 
 /// Moves vertices of quads that are folded or hardly convex to where the worst quad around them is best, of some places near by.
-void Untangle(const NearestPlaces& surface, const LinesOnSurface& lines, const IndexedQuads& quads, CellPlaces& places,
+void Untangle(const NearestPlaces& surface, const LinesOfEdges& lines, const IndexedQuads& quads, CellPlaces& places,
   const ExecutionContext& context);
 
 }

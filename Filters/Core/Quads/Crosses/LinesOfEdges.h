@@ -1,5 +1,5 @@
-#ifndef dmgLinesOnSurface_h
-#define dmgLinesOnSurface_h
+#ifndef dmgLinesOfEdges_h
+#define dmgLinesOfEdges_h
 
 #include "Mesh/TriangleMesh.h"
 #include "Quads/Crosses/SurfacePlace.h"
@@ -11,12 +11,12 @@ namespace dmg
 {
 
 /// Lines of edges of a surface, along which vertices of quads may move.
-class LinesOnSurface
+class LinesOfEdges
 {
 public:
   /// \param mesh is borrowed.
   /// \param isOnLine by edge.
-  LinesOnSurface(const TriangleMesh& mesh, std::vector<char> isOnLine);
+  LinesOfEdges(const TriangleMesh& mesh, std::vector<char> isOnLine);
 
   bool Has(int edge) const { return this->IsOnLine[edge]; }
   /// Whether lines end, branch or bend at a vertex.

@@ -1,4 +1,4 @@
-#include "Quads/Crosses/LinesOnSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,13 @@ int OtherEnd(const TriangleMesh& mesh, int edge, int vertex)
 
 }
 
-LinesOnSurface::LinesOnSurface(const TriangleMesh& mesh, std::vector<char> isOnLine)
+LinesOfEdges::LinesOfEdges(const TriangleMesh& mesh, std::vector<char> isOnLine)
   : Mesh(mesh)
   , IsOnLine(std::move(isOnLine))
 {
 }
 
-std::vector<std::pair<int, int>> LinesOnSurface::EdgesAt(int vertex) const
+std::vector<std::pair<int, int>> LinesOfEdges::EdgesAt(int vertex) const
 {
   std::vector<std::pair<int, int>> edges;
   const auto add = [&](int h)
@@ -50,7 +50,7 @@ std::vector<std::pair<int, int>> LinesOnSurface::EdgesAt(int vertex) const
   return edges;
 }
 
-bool LinesOnSurface::IsCorner(int vertex) const
+bool LinesOfEdges::IsCorner(int vertex) const
 {
   const std::vector<std::pair<int, int>> edges = this->EdgesAt(vertex);
   const auto way = [&](int k) -> Vector3
@@ -58,7 +58,7 @@ bool LinesOnSurface::IsCorner(int vertex) const
   return !edges.empty() && (edges.size() != 2 || way(0).dot(way(1)) > -std::cos(LargestBend * Pi / 180.0));
 }
 
-int LinesOnSurface::EdgeOf(const SurfacePlace& place) const
+int LinesOfEdges::EdgeOf(const SurfacePlace& place) const
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -80,7 +80,7 @@ int LinesOnSurface::EdgeOf(const SurfacePlace& place) const
   return -1;
 }
 
-double LinesOnSurface::NearestPart(int edge, int from, const Vector3& position) const
+double LinesOfEdges::NearestPart(int edge, int from, const Vector3& position) const
 {
   const Vector3 start = this->Mesh.Position(from);
   const Vector3 way = this->Mesh.Position(OtherEnd(this->Mesh, edge, from)) - start;
@@ -88,7 +88,7 @@ double LinesOnSurface::NearestPart(int edge, int from, const Vector3& position) 
   return square > 0.0 ? std::clamp(way.dot(position - start) / square, 0.0, 1.0) : 0.0;
 }
 
-SurfacePlace LinesOnSurface::From(const SurfacePlace& place, const Vector3& position) const
+SurfacePlace LinesOfEdges::From(const SurfacePlace& place, const Vector3& position) const
 {
   int edge = this->EdgeOf(place);
   if (edge < 0)
