@@ -7,6 +7,7 @@
 
 #include "Mesh/SpatialOrder.h"
 #include "Pieces/FieldSolverInPieces.h"
+#include "Support/AllIndices.h"
 #include "Support/ReadPly.h"
 #include "Support/Stopwatch.h"
 
@@ -83,7 +84,7 @@ SurfacePiece PartOf(const test::Surface& surface, int rank, int ranks)
     }
   }
   SurfacePiece piece;
-  piece.Positions = surface.V(points, Eigen::all);
+  piece.Positions = surface.V(points, All);
   piece.Corners = Eigen::Map<const Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
   return piece;
 }

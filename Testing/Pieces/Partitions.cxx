@@ -1,5 +1,7 @@
 #include "Partitions.h"
 
+#include "Support/AllIndices.h"
+
 #include <algorithm>
 #include <limits>
 #include <random>
@@ -99,7 +101,7 @@ CutPiece CutOut(const Surface& surface, const std::vector<int>& rankOfTriangles,
       }
     }
   }
-  cut.Piece.Positions = surface.V(cut.Points, Eigen::all);
+  cut.Piece.Positions = surface.V(cut.Points, All);
   cut.Piece.Corners.resize(static_cast<Eigen::Index>(cut.Triangles.size()), 3);
   for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
   {

@@ -1,5 +1,7 @@
 #include "Flows/FittedDerivatives.h"
 
+#include "Support/AllIndices.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -287,7 +289,7 @@ Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation)
     }
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    centres.row(face) = mesh.VertexPositions()(corners, Eigen::all).colwise().mean();
+    centres.row(face) = mesh.VertexPositions()(corners, All).colwise().mean();
   }
   return centres;
 }

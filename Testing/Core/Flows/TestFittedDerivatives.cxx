@@ -4,6 +4,7 @@
 
 #include "Flows/FormOnPolygons.h"
 #include "Preparation/PreparedSurface.h"
+#include "Support/AllIndices.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 
@@ -173,7 +174,7 @@ PreparedSurface HexagonsOnSphere(int subdivisions)
   for (int face = 0; face < triangles.NumberOfFaces(); ++face)
   {
     hexagons.Positions.row(face) =
-      triangles.VertexPositions()(triangles.FaceCorners().row(face), Eigen::all).colwise().mean().normalized();
+      triangles.VertexPositions()(triangles.FaceCorners().row(face), All).colwise().mean().normalized();
   }
   for (int vertex = 0; vertex < triangles.NumberOfVertices(); ++vertex)
   {

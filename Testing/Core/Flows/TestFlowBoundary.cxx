@@ -4,6 +4,7 @@
 #include "Flows/FlowOperators.h"
 #include "Flows/HodgeDecomposition.h"
 #include "Operators/FaceFieldOperators.h"
+#include "Support/AllIndices.h"
 #include "Support/DenseAlgebra.h"
 #include "Support/DisjointSets.h"
 #include "Support/MeshFactory.h"
@@ -161,7 +162,7 @@ Surface TorusWithHoles()
       kept.push_back(face);
     }
   }
-  const Triangles faces = torus.F(kept, Eigen::all);
+  const Triangles faces = torus.F(kept, All);
   std::vector<int> numbers(torus.V.rows(), -1), used;
   torus.F = faces;
   for (int face = 0; face < faces.rows(); ++face)
@@ -177,7 +178,7 @@ Surface TorusWithHoles()
       torus.F(face, k) = number;
     }
   }
-  const Points points = torus.V(used, Eigen::all);
+  const Points points = torus.V(used, All);
   torus.V = points;
   return torus;
 }

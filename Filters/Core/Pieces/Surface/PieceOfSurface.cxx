@@ -3,6 +3,7 @@
 #include "Constraints/Constraints.h"
 #include "Pieces/Surface/GhostTriangles.h"
 #include "Pieces/Surface/JoinedTriangles.h"
+#include "Support/AllIndices.h"
 #include "Support/Errors.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ void CheckFans(const SurfacePiece& piece, const FansOfPiece& fans, const Element
   {
     namesOfFans.Vertices.push_back(names.Vertices.empty() ? point : names.Vertices[point]);
   }
-  CheckElements(piece.Positions(fans.OfPoints, Eigen::all), fans.Corners, namesOfFans);
+  CheckElements(piece.Positions(fans.OfPoints, All), fans.Corners, namesOfFans);
 }
 
 /// Writes the labels and positions of all corners, ghosts of lower ranks first.
