@@ -46,6 +46,8 @@ mkdir -p build
 # what another one has compiled in the same way: the core, most of all.
 export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 passed=0 failed=0 skipped=0 all_well=yes
+tree() { git status --porcelain 2>/dev/null || true; } # nothing where this is no working tree of git
+before=$(tree)
 step "Packages"
 .ci/install-packages test
 
@@ -66,6 +68,15 @@ for flavour; do
     *) run "$flavour" ;;
   esac
 done
+
+step "Working tree"
+if [ "$(tree)" = "$before" ]; then
+  passed=$((passed + 1))
+else
+  echo "tests have left something that git sees:"
+  diff <(echo "$before") <(tree) || true
+  failed=$((failed + 1)) all_well=no
+fi
 
 printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
 [ "$all_well" = yes ]

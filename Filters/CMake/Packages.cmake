@@ -32,5 +32,6 @@ endif ()
 
 set(CPACK_SOURCE_GENERATOR "TGZ")
 set(CPACK_SOURCE_PACKAGE_FILE_NAME "directionalmultigrid-${PROJECT_VERSION}")
-set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/" "/[.]git(/|$)" "__pycache__" "CMakeUserPresets.json")
+set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/" "/[.]git(/|$)" "__pycache__" "CMakeUserPresets.json"
+  "^${PROJECT_SOURCE_DIR}/demo[.](png|pvsm|vtp)$" "[.]csv$")
 include(CPack)

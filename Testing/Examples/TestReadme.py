@@ -43,7 +43,10 @@ def check_command(line, binary):
             assert set(names) <= presets(kind), f"{line}: no such preset"
     elif words[0].startswith("PV_PLUGIN_PATH="):
         assert line.endswith(") paraview --state=demo.pvsm"), line
-        assert "demo.pvsm" in (ROOT / "Testing/Examples/demo.py").read_text(), "the demo writes another file"
+        written = set(re.findall(r'"(demo\.\w+)"', (ROOT / "Testing/Examples/demo.py").read_text()))
+        assert "demo.pvsm" in written, "the demo writes another file"
+        ignored = (ROOT / ".gitignore").read_text().split()
+        assert all(f"/{name}" in ignored for name in written | {"demo.png"}), "git sees what the demo writes"
     elif words[0] == "cpack" or line in PACKAGES:
         pass
     else:
@@ -58,7 +61,8 @@ def check_shell(binary, pages):
 
 
 def check_pictures(code):
-    """Each PNG that the code names was written, and has more than one colour."""
+    """Each PNG that the code names was written, and has more than one colour; where there is a stroke, it is seen in gold."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOImage import vtkPNGReader
     for name in re.findall(r"[\w.]+\.png", code):
         reader = vtkPNGReader()
@@ -66,6 +70,10 @@ def check_pictures(code):
         reader.Update()
         colours = reader.GetOutput().GetPointData().GetScalars()
         assert colours and colours.GetRange(0)[0] < colours.GetRange(0)[1], f"{name} shows nothing"
+        if "stroke" in code:
+            red, green, blue = vtk_to_numpy(colours)[:, :3].astype(int).T
+            gold = (red > 1.3 * green) & (green > 2 * blue) & (red > 150)
+            assert len(red) >= 1200 * 1200 and gold.sum() > 600, f"{name} shows no stroke"
 
 
 def run_python(pages, with_paraview):
@@ -94,7 +102,7 @@ def run_cxx(cmake, prefixes, pages):
                             f"-DCMAKE_PREFIX_PATH={prefixes}"], check=True)
             subprocess.run([cmake, "--build", "build"], check=True)
             subprocess.run([pathlib.Path("build").resolve() / program.group(1)], check=True)
-            assert all(os.path.getsize(name) > 0 for name in re.findall(r"[\w.]+\.png", source))
+            check_pictures(source)
             count += 1
     return count
 

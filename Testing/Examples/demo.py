@@ -22,6 +22,7 @@ def main(path):
     show_lines(field, view, 0.016)
     singularities = show_singularities(field, view, 0.008)
     save(view, "demo", 1.37)
+    AssignViewToLayout(view, CreateLayout("Field"))  # a window shows views of layouts alone
     SaveState("demo.pvsm")
     indices = singularities.GetFieldData().GetArray("SumOfIndices").GetValue(0)
     print(f"wrote demo.vtp, demo.pvsm and demo.png; the indices of {singularities.GetNumberOfPoints()} singularities sum to {indices:g}")

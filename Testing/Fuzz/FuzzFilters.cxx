@@ -4,7 +4,7 @@
 //
 // A case is made from its seed alone, a number; a corpus is a list of seeds. A case fails where an output that is not empty
 // holds a number that is not finite or where there is neither an output nor an error; the seed is written before it runs,
-// into FuzzFilters.seed, so that it is known after a crash.
+// into FuzzFilters.seed beside the program, so that it is known after a crash.
 
 #include "vtkHarmonicFieldSolver.h"
 #include "vtkHodgeDecomposition.h"
@@ -27,6 +27,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iostream>
@@ -611,9 +612,9 @@ void RunCase(unsigned long long seed)
 }
 
 /// \return whether it is as it must be.
-bool Try(unsigned long long seed)
+bool Try(unsigned long long seed, const std::filesystem::path& record)
 {
-  std::ofstream("FuzzFilters.seed") << seed << '\n';
+  std::ofstream(record) << seed << '\n';
   const auto start = std::chrono::steady_clock::now();
   try
   {
@@ -665,6 +666,7 @@ int main(int argc, char** argv)
   int failures = 0;
   unsigned long long tried = 0;
   std::ifstream seeds(corpus);
+  const std::filesystem::path record = std::filesystem::path(argv[0]).replace_filename("FuzzFilters.seed");
   for (; tried < cases; ++tried)
   {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
@@ -672,7 +674,7 @@ int main(int argc, char** argv)
     {
       break;
     }
-    failures += !Try(seed);
+    failures += !Try(seed, record);
     ++seed;
   }
   std::cout << tried << " cases, " << failures << " must not be" << std::endl;
