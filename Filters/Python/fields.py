@@ -8,7 +8,7 @@ import numbers
 import operator
 import re
 import warnings
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Set, Tuple, TypeVar, Union
 
 from vtkmodules.vtkCommonCore import vtkObjectBase, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
@@ -24,6 +24,7 @@ Message = Tuple[vtkAlgorithm, str]
 # The solver's arrays: the index of each in SetInputArrayToProcess. Their names are those in pvpython.
 _ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4, "Eastward": 5, "Northward": 6,
            "Source": 7}
+_ARGUMENTS = ("mesh", "guides", "n", "singularities", *_ARRAYS)
 
 
 class FieldError(ValueError):
@@ -63,7 +64,8 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
     if singularities is not None:
         for each in _datasets(singularities, "singularities") or (vtkPolyData(),):
             solver.AddInputDataObject(2, each)
-    _set_properties(solver, properties)
+    _set_properties(solver, {name: value for name, value in properties.items() if name not in _ARRAYS}, _ARGUMENTS,
+                    {"numberofdirections": "n", "directionsperpoint": "n"})
     _set_number_of_directions(solver, n)
     for name, index in _ARRAYS.items():
         _choose_array(solver, mesh, index, properties.get(name))
@@ -171,20 +173,28 @@ def _datasets(objects: DataObjects, what: str) -> Tuple[vtkDataObject, ...]:
     return datasets
 
 
-def _set_properties(solver: vtkHarmonicFieldSolver, properties: Dict[str, Property]) -> None:
-    known = {name[3:] for name in vars(type(solver)) if name.startswith("Set") and hasattr(solver, "Get" + name[3:])}
-    known.remove("NumberOfDirections")
+def _set_properties(algorithm: vtkAlgorithm, properties: Dict[str, Property], arguments: Sequence[str],
+                    other_names: Dict[str, str] = {}) -> None:
+    """Sets properties of a filter by their names, but for those that an argument of the function stands for.
+
+    other_names maps further names of arguments, in small letters, to these.
+    """
+    known = sorted(name for name in _properties_of(algorithm) if name.lower() not in (*arguments, *other_names))
     for name, value in properties.items():
-        if name in known:
-            _set_property(solver, name, value)
-        elif name not in _ARRAYS:
-            raise TypeError(f"there is no property {name}; " + _nearest(name, sorted(known.union(_ARRAYS))))
+        if name not in known:
+            raise TypeError(f"there is no property {name}; " + _nearest(name, [*known, *arguments], other_names))
+        _set_property(algorithm, name, value)
 
 
-def _nearest(name: str, names: List[str]) -> str:
-    """A hint at the property with the nearest name, in any spelling: max_distance for MaximumDistance, N for n."""
-    spellings = {each.lower(): each for each in [*names, "guides", "singularities", "n"]}
-    spellings.update(numberofdirections="n", directionsperpoint="n", mesh="mesh")
+def _properties_of(algorithm: vtkAlgorithm) -> Set[str]:
+    """What a filter and its base classes in this package can set and get."""
+    classes = [each for each in type(algorithm).__mro__ if each.__module__ == type(algorithm).__module__]
+    return {name[3:] for each in classes for name in vars(each) if name.startswith("Set") and hasattr(algorithm, "Get" + name[3:])}
+
+
+def _nearest(name: str, names: Sequence[str], other_names: Dict[str, str]) -> str:
+    """A hint at the property or argument with the nearest name, in any spelling: max_distance for MaximumDistance, N for n."""
+    spellings = {**{each.replace("_", "").lower(): each for each in names}, **other_names}
     near = difflib.get_close_matches(name.replace("_", "").lower(), spellings, 1, 0.5)
     return f"did you mean {spellings[near[0]]}?" if near else "there are " + ", ".join(names)
 
@@ -235,16 +245,6 @@ def _converted(value: Any, kind: type) -> Property:
     if not math.isfinite(value):
         raise OverflowError
     return float(value)
-
-
-def _set_known_property(algorithm: vtkAlgorithm, name: str, value: Property, arguments: Sequence[str]) -> None:
-    """Sets a property of a filter by its name, unless one of the arguments of its function has the same name and does that."""
-    known = sorted(each[3:] for each in vars(type(algorithm))
-                   if each.startswith("Set") and hasattr(algorithm, "Get" + each[3:]) and each[3:].lower() not in arguments)
-    if name not in known:
-        near = difflib.get_close_matches(name, known + list(arguments), 1, 0.5)
-        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
-    _set_property(algorithm, name, value)
 
 
 def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkDataSet, index: int, name: Optional[Property]) -> None:

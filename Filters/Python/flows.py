@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
-from typing import Any, Optional, TypeVar
+from typing import Optional, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkDataSetAttributes
 
-from .fields import Property, _check_mesh, _choose_array, _datasets, _set_property, _update
+from .fields import Property, _check_mesh, _choose_array, _datasets, _set_properties, _update
 from .vtkFiltersDirectionalFields import vtkHodgeDecomposition
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
@@ -47,8 +46,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     if edges is not None:
         (lines,) = _datasets(edges, "edges")
         decomposition.SetInputDataObject(1, lines)
-    for name, value in properties.items():
-        _set_known(decomposition, name, value)
+    _set_properties(decomposition, properties, ("mesh", "vectors", "eastward", "northward", "edges", "open_boundary"),
+                    {"u": "eastward", "v": "northward"})
     for index, name in ((0, vectors), (1, eastward), (2, northward), (3, open_boundary)):
         _choose_array(decomposition, mesh, index, name)
     if vectors is None:
@@ -56,17 +55,3 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     result = type(mesh)()
     result.ShallowCopy(_update(decomposition, 3))
     return result
-
-
-def _set_known(decomposition: vtkHodgeDecomposition, name: str, value: Any) -> None:
-    known = sorted(each[3:] for each in vars(type(decomposition))
-                   if each.startswith("Set") and hasattr(decomposition, "Get" + each[3:]))
-    if name in ("u", "v"):
-        raise TypeError(f"there is no property {name}; did you mean {'eastward' if name == 'u' else 'northward'}?")
-    if name not in known:
-        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward", "edges", "open_boundary"], 1, 0.5)
-        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
-    if name == "Axis":
-        decomposition.SetAxis(*(float(each) for each in value))
-    else:
-        _set_property(decomposition, name, value)

@@ -6,7 +6,7 @@ from typing import Optional, Sequence, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
-from .fields import FieldError, Property, _check_mesh, _choose_array, _set_known_property, _update
+from .fields import FieldError, Property, _check_mesh, _choose_array, _set_properties, _update
 from .vtkFiltersDirectionalFields import vtkParallelTransport
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
@@ -35,8 +35,7 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequ
     _check_mesh(mesh)
     carry = vtkParallelTransport()
     carry.SetInputData(mesh)
-    for name, value in properties.items():
-        _set_known_property(carry, name, value, ("vectors", "point", "direction"))
+    _set_properties(carry, properties, ("mesh", "vectors", "point", "direction"))
     if point is not None:
         carry.SetPoint(*_three("point", point))
     if direction is not None:

@@ -6,7 +6,7 @@ from typing import Optional
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
 
-from .fields import Property, _check_mesh, _choose_array, _set_known_property, _update
+from .fields import Property, _check_mesh, _choose_array, _set_properties, _update
 from .vtkFiltersDirectionalFields import vtkFieldQuads
 
 
@@ -33,8 +33,8 @@ def quads(mesh: vtkDataSet, number: Optional[int] = None, directions: Optional[s
     remesh = vtkFieldQuads()
     remesh.SetInputData(mesh)
     given = {"NumberOfQuads": number, "EdgeLength": edge_length}
-    for name, value in {**properties, **{name: value for name, value in given.items() if value is not None}}.items():
-        _set_known_property(remesh, name, value, ("number", "directions", "edge_length", "sizes"))
+    _set_properties(remesh, {**properties, **{name: value for name, value in given.items() if value is not None}},
+                    ("mesh", "number", "directions", "edge_length", "sizes"))
     for index, array in enumerate((directions, sizes)):
         _choose_array(remesh, mesh, index, array)
     result = type(mesh)() if isinstance(mesh, vtkPolyData) else vtkPolyData()

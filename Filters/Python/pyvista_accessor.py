@@ -8,7 +8,7 @@ import pyvista
 
 from .drawing import draw_as_ink
 from .export import write_raw_field, write_rosy, write_sharp
-from .fields import DataObjects, Property, _set_known_property, smooth_field, update
+from .fields import DataObjects, Property, _set_properties, smooth_field, update
 from .flows import hodge
 from .geodesics import transport
 from .vtkFiltersDirectionalFields import vtkFieldLines
@@ -44,8 +44,7 @@ class DirectionalAccessor:
         """
         lines, mesh = vtkFieldLines(), type(self._mesh)()
         lines.SetInputData(self._mesh)
-        for name, value in properties.items():
-            _set_known_property(lines, name, value, ("plotter", "color", "line_width"))
+        _set_properties(lines, properties, ("plotter", "color", "line_width"))
         mesh.ShallowCopy(update(lines))
         return draw_as_ink(plotter.add_mesh(mesh, color=color, line_width=line_width))
 

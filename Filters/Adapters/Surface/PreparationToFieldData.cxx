@@ -58,9 +58,11 @@ void WarnOfPreparation(vtkAlgorithm* algorithm, const PreparationReport& report)
 {
   if (report.IsChanged())
   {
+    const bool isStrictByChoice = algorithm->IsA("vtkOrientedSurfaceAlgorithm");
     vtkWarningWithObjectMacro(algorithm,
       "the surface was not an oriented manifold, and is solved on as one: "
-        << report.Text() << "; its own cells and points stay as they are; to have it refused, switch Strict on");
+        << report.Text() << "; its own cells and points stay as they are; to have it refused, "
+        << (isStrictByChoice ? "switch Strict on" : "take a field of Harmonic Field Solver with Strict on"));
   }
 }
 

@@ -1,0 +1,100 @@
+"""What messages tell to do, done through the package's functions: a message comes, its remedy is given, and the message is gone."""
+
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPointSource
+
+from directionalmultigrid import FieldError, hodge, quads, smooth_field, transport, update
+from surfaces import corners, disc, grid, surface, torus, values_of_points
+
+
+def message(call):
+    """What a call says, as an error or as warnings, or nothing."""
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        try:
+            call()
+        except FieldError as error:
+            return str(error)
+    return "\n".join(str(each.message) for each in heard)
+
+
+def with_turned_cells():
+    """A torus with every seventh cell clockwise, and vectors."""
+    mesh = torus(20, 10)
+    triangles = corners(mesh)
+    triangles[::7] = triangles[::7, ::-1]
+    return with_vectors(surface(values_of_points(mesh), triangles))
+
+
+def with_vectors(mesh):
+    x, y, _ = values_of_points(mesh).T
+    array = numpy_to_vtk(np.stack([-y, x, 0 * x], 1), deep=True)
+    array.SetName("Flow")
+    mesh.GetPointData().AddArray(array)
+    return mesh
+
+
+def far_line():
+    line = vtkLineSource()
+    line.SetPoint1(3, 0, 0)
+    line.SetPoint2(3, 1, 0)
+    return update(line)
+
+
+def point():
+    source = vtkPointSource()
+    source.SetNumberOfPoints(1)
+    source.SetCenter(1.4, 0, 0)
+    source.SetRadius(0)
+    return update(source)
+
+
+class Remedies(unittest.TestCase):
+    def assert_helps(self, call, said, before, after):
+        """The message comes with the properties before, and not with those after."""
+        self.assertRegex(message(lambda: call(**before)), said)
+        self.assertNotRegex(message(lambda: call(**after)), said)
+
+    def test_of_surfaces_that_are_no_oriented_manifolds(self):
+        mesh = with_turned_cells()
+        calls = {"smooth_field": lambda **more: smooth_field(mesh, **more), "hodge": lambda **more: hodge(mesh, "Flow", **more),
+                 "transport": lambda **more: transport(mesh, point=(1.4, 0, 0), **more)}
+        for name, call in calls.items():
+            with self.subTest(name):
+                self.assertIn("to have it refused, switch Strict on", message(call))
+                with self.assertRaisesRegex(FieldError, "Join Points on and Strict off|oriented|run through"):
+                    call(Strict=True)
+                self.assertNotIn("refused", message(lambda: call(Strict=True)))
+                self.assertIn("cells turned", message(lambda: call(Strict=False, JoinPoints=True)))
+        self.assertIn("to have it refused, take a field of Harmonic Field Solver with Strict on", message(lambda: quads(mesh, 100)))
+        with self.assertRaises(FieldError):
+            quads(smooth_field(mesh, Strict=True), 100)
+
+    def test_of_rotations_of_nothing(self):
+        self.assert_helps(lambda **more: smooth_field(torus(20, 10), **more), "or set them to 0", {"Rotation": 30}, {"Rotation": 0})
+
+    def test_of_guides_that_are_far(self):
+        self.assert_helps(lambda **more: smooth_field(torus(20, 10), guides=far_line(), **more), "Maximum Distance",
+                          {}, {"MaximumDistance": 10})
+
+    def test_of_few_iterations(self):
+        mesh = torus(100, 50)
+        self.assert_helps(lambda **more: smooth_field(mesh, guides=far_line(), MaximumDistance=10, Solver="ConjugateGradients", **more),
+                          "Maximum Number Of Iterations", {"MaximumNumberOfIterations": 1}, {"MaximumNumberOfIterations": 100})
+
+    def test_of_singularities_of_other_kinds(self):
+        self.assert_helps(lambda **more: smooth_field(torus(20, 10), n=1, singularities=point(), **more), "Power Field at Points",
+                          {"Discretisation": "FaceField"}, {"Discretisation": "PointPowerField"})
+
+    def test_of_crosses_under_another_name(self):
+        mesh = with_vectors(grid(10, disc))
+        self.assert_helps(lambda **more: quads(mesh, 100, "Flow", **more), "choose one of 4",
+                          {"NumberOfDirections": 3}, {"NumberOfDirections": 4})
+
+
+if __name__ == "__main__":
+    unittest.main()
