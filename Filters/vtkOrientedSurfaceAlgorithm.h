@@ -10,8 +10,8 @@
  * Port 0: any vtkDataSet with cells of two dimensions, with or without boundary, in one or several parts; composite datasets leaf
  * by leaf. Polygons are cut into triangles inside, cells of higher order as VTK draws them. Cells of no or one dimension, hidden
  * cells and points without a cell take no part. A dataset with cells of three dimensions becomes its skin, as vtkGeometryFilter makes
- * it, which is the output: a vtkUnstructuredGrid where that is what came in, else a vtkPolyData. A piece of one rank is refused
- * instead. Points that coincide are joined (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and
+ * it, which is the output: a vtkUnstructuredGrid where that is what came in, else a vtkPolyData. On several ranks, the volume is
+ * gathered first. Points that coincide are joined (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and
  * parted inside (SetStrict). The field data array SurfacePreparation counts it, as in "3 cells turned, 12 points joined":
  *
  * - components are oriented as most of their cells are; one with one side only is cut along a short seam;
@@ -31,7 +31,7 @@
  * which holds the whole result; the other ranks are empty. Points of different pieces are one by global ids, or at the same
  * place. Guides and other inputs are gathered as well. Equal pieces, as where each rank reads the whole file, are one. Field data
  * (string, Gathered) and a line of VTK's output say so, with the memory that it takes. Where the first rank has not that much,
- * there is an error with the numbers; DMG_MEMORY_LIMIT (in KiB) in the environment tells of less than the machine has. An error
+ * there is an error with the numbers; DMG_MEMORY_LIMIT (in KiB) in the environment caps the memory that gathering may use. An error
  * or an abort on one rank ends all. The first rank asks for the whole of grids and of the leaves of composite datasets.
  *
  * @sa vtkFieldDrawingAlgorithm

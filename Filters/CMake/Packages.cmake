@@ -2,7 +2,8 @@
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" # where Debian's policy wants it
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/directionalmultigrid" RENAME "copyright" COMPONENT metadata)
 
-set(CPACK_PACKAGE_CONTACT "the authors of DirectionalMultigrid") # a maintainer is compulsory
+# A maintainer with an address is compulsory. There is no public one yet; the domain is one that never exists (RFC 2606).
+set(CPACK_PACKAGE_CONTACT "The DirectionalMultigrid authors <maintainers@directionalmultigrid.invalid>")
 set(CPACK_PACKAGE_NAME "directionalmultigrid")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")

@@ -145,6 +145,11 @@ class CheckSources(unittest.TestCase):
         self.assert_found("Testing/Core/TestMesh.cxx", "a = b(c, Eigen::all);\n",
                           "1: Eigen::all is not in every release; take All of Support/AllIndices.h")
 
+    def test_one_version(self):
+        changes = {"CMakeLists.txt": "project(Clean\n  VERSION 1.2.0\n", "pyproject.toml": 'version = "1.2.0"\n',
+                   "CITATION.cff": "version: 1.3.0\n"}
+        self.assertEqual(self.found(changes), ["CITATION.cff:0: version 1.3.0, which is 1.2.0 in CMakeLists.txt"])
+
     def test_data_have_an_origin(self):
         self.assert_found("Data/torus.ply", "ply\n",
                           "0: Data/README.md does not list `torus.ply` and its origin")

@@ -18,6 +18,7 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 - sources are ASCII;
 - a property of a filter, or of its base class, is told in its header and in its proxy, or the base proxy, with one default;
 - the class comment of a filter has at most COMMENT_LIMIT words;
+- CMakeLists.txt, pyproject.toml and CITATION.cff name one version;
 - every file in Data is listed, with its origin, in Data/README.md;
 - in Filters, at most SUBJECTLESS_LIMIT comments begin with a clause that has no subject ("What is left over");
 - no comment of Filters holds a measurement, a date, or the name of a machine or a measured surface: these stand in
@@ -279,6 +280,19 @@ def check_all_indices(root):
                     yield path, number, "Eigen::all is not in every release; take All of Support/AllIndices.h"
 
 
+VERSIONS = {"CMakeLists.txt": r"^\s*VERSION (\S+)$", "pyproject.toml": r'^version = "(.*)"$', "CITATION.cff": r"^version: (\S+)$"}
+
+
+def check_versions(root):
+    first = None
+    for name, pattern in VERSIONS.items():
+        path = root / name
+        found = re.search(pattern, path.read_text(), re.MULTILINE) if path.exists() else None
+        if found and found.group(1) != (first or found.group(1)):
+            yield path, 0, f"version {found.group(1)}, which is {first} in CMakeLists.txt"
+        first = first or (found and found.group(1))
+
+
 def check_data(root):
     data = root / "Data"
     paths = [path for path in data.rglob("*") if path.is_file() and path.name != "README.md"]
@@ -398,7 +412,8 @@ def measurements(root):
 
 
 CHECKS = [check_core, check_kinds, check_words_of_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
-          check_class_comments, check_data, check_names, check_all_indices]
+          check_class_comments, check_data, check_names, check_all_indices,
+          check_versions]
 COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
            ("measurements in comments", measurements, MEASUREMENT_LIMIT)]
 

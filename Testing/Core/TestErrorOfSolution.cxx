@@ -1,4 +1,6 @@
 #include "Discretisations/MakeDiscretisation.h"
+#include "Mesh/VertexConnection.h"
+#include "Operators/ConnectionLaplacian.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
@@ -28,8 +30,8 @@ namespace
 using Extended = Eigen::Matrix<long double, -1, -1>;
 using ExtendedVector = Eigen::Matrix<long double, -1, 1>;
 
-constexpr DiscretisationKind Kinds[] = { DiscretisationKind::PowerField, DiscretisationKind::FaceField,
-  DiscretisationKind::OneForm, DiscretisationKind::ScalarFunction };
+constexpr DiscretisationKind Kinds[] = { DiscretisationKind::PowerField, DiscretisationKind::VertexPowerField,
+  DiscretisationKind::FaceField, DiscretisationKind::OneForm, DiscretisationKind::ScalarFunction };
 
 FieldOptions OptionsOf(DiscretisationKind kind, SolverKind solver)
 {
@@ -40,7 +42,22 @@ FieldOptions OptionsOf(DiscretisationKind kind, SolverKind solver)
   return options;
 }
 
-/// R, with complex numbers as pairs.
+/// A complex matrix with its numbers as pairs.
+Extended AsPairs(const Eigen::MatrixXcd& L)
+{
+  Extended pairs(2 * L.rows(), 2 * L.cols());
+  for (Eigen::Index j = 0; j < L.cols(); ++j)
+  {
+    for (Eigen::Index i = 0; i < L.rows(); ++i)
+    {
+      const Complex z = L(i, j);
+      pairs.block<2, 2>(2 * i, 2 * j) << z.real(), -z.imag(), z.imag(), z.real();
+    }
+  }
+  return pairs;
+}
+
+/// R.
 Extended Stiffness(const FramedMesh& surface, DiscretisationKind kind)
 {
   switch (kind)
@@ -54,20 +71,10 @@ Extended Stiffness(const FramedMesh& surface, DiscretisationKind kind)
       const Eigen::MatrixXd d0(D0(surface.Mesh, SerialContext()));
       return (d0.transpose() * Star1(surface.Mesh).asDiagonal() * d0).cast<long double>();
     }
+    case DiscretisationKind::VertexPowerField:
+      return AsPairs(Eigen::MatrixXcd(ConnectionLaplacian(surface.Mesh, VertexConnection(surface, SerialContext()), 1)));
     default:
-    {
-      const Eigen::MatrixXcd L(PowerLaplacian(surface.Mesh, surface.Faces, 1, SerialContext()));
-      Extended pairs(2 * L.rows(), 2 * L.cols());
-      for (Eigen::Index j = 0; j < L.cols(); ++j)
-      {
-        for (Eigen::Index i = 0; i < L.rows(); ++i)
-        {
-          const Complex z = L(i, j);
-          pairs.block<2, 2>(2 * i, 2 * j) << z.real(), -z.imag(), z.imag(), z.real();
-        }
-      }
-      return pairs;
-    }
+      return AsPairs(Eigen::MatrixXcd(PowerLaplacian(surface.Mesh, surface.Faces, 1, SerialContext())));
   }
 }
 

@@ -12,6 +12,12 @@ target_link_libraries(Flow PRIVATE DirectionalMultigrid::Core)
 add_test(NAME Examples.Core.Flow COMMAND Flow "${problem}" "${answers}/core-flow.txt")
 set_tests_properties(Examples.Core Examples.Core.Flow PROPERTIES LABELS core FIXTURES_SETUP answers)
 
+# Configured as a folder of another project, whose choices stay; it would compile the core once more.
+add_test(NAME Examples.Core.Subproject
+  COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/Subproject" -B "${PROJECT_BINARY_DIR}/Testing/Examples/Subproject"
+    -G "${CMAKE_GENERATOR}" "-DSOURCES=${PROJECT_SOURCE_DIR}")
+set_tests_properties(Examples.Core.Subproject PROPERTIES LABELS core)
+
 # The same crosses on two ranks.
 set(pieces_example "${CMAKE_CURRENT_LIST_DIR}/Pieces")
 find_program(MPIEXEC_OF_TESTS mpiexec)

@@ -8,6 +8,7 @@
 #include "vtkFieldLines.h"
 #include "vtkFieldQuads.h"
 #include "vtkFieldSingularities.h"
+#include "vtkImageData.h"
 #include "vtkLineSource.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -239,6 +240,30 @@ TEST(GatheredSurface, MayBeAnUnstructuredGrid)
   UpdateOwnPiece(solver);
   EXPECT_TRUE(vtkUnstructuredGrid::SafeDownCast(solver->GetOutputDataObject(0)));
   ExpectWhole(solver);
+}
+
+TEST(GatheredSurface, IsTheSkinOfAVolumeInPieces)
+{
+  // Each rank has a cube of 3 x 3 x 3 hexahedra of a row of cubes.
+  vtkNew<vtkImageData> cube;
+  cube->SetDimensions(4, 4, 4);
+  cube->SetOrigin(3.0 * Rank(), 0.0, 0.0);
+  vtkNew<vtkAppendFilter> asGrid;
+  asGrid->SetInputData(cube);
+  asGrid->Update();
+  vtkNew<Solver> solver;
+  solver->SetInputData(asGrid->GetOutput());
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  EXPECT_EQ(messages.Error(), "");
+  if (Rank() > 0)
+  {
+    ExpectEmpty(solver);
+    return;
+  }
+  auto* const skin = vtkDataSet::SafeDownCast(solver->GetOutputDataObject(0));
+  EXPECT_EQ(skin->GetNumberOfCells(), 2 * 9 + 4 * 9 * Ranks()); // no sides between cubes
+  EXPECT_EQ(skin->GetNumberOfPoints(), 2 * 4 + 12 * (3 * Ranks() + 1));
 }
 
 TEST(GatheredSurface, TakesGuidesOfAllRanksOnce)
