@@ -9,8 +9,11 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
 
 vtkStandardNewMacro(vtkFieldWriter);
 
@@ -32,13 +35,29 @@ int FormatOf(const std::string& fileName)
     "no format has the extension of '" + fileName + "'; give the file the extension .rosy, .rawfield or .sharp");
 }
 
+/// Writes beside a file and takes its place in the end, so that a full disk leaves the file as it was.
 void WriteText(const std::string& fileName, const std::string& text)
 {
-  vtksys::ofstream file(fileName.c_str(), std::ios::out | std::ios::binary);
+  namespace files = std::filesystem;
+  std::error_code ignored;
+  const files::path given = files::u8path(fileName);
+  const files::path path = files::is_symlink(given, ignored) ? files::canonical(given, ignored) : given;
+  const bool isDevice = files::exists(path, ignored) && !files::is_regular_file(path, ignored);
+  const files::path beside = isDevice ? path : files::path(path) += ".part";
+  std::ofstream file(beside, std::ios::out | std::ios::binary);
   file << text;
   file.close();
-  if (!file)
+  std::error_code error;
+  if (file && !isDevice)
   {
+    files::rename(beside, path, error);
+  }
+  if (!file || error)
+  {
+    if (!isDevice)
+    {
+      files::remove(beside, ignored);
+    }
     throw dmg::InvalidInput(
       "the file '" + fileName + "' cannot be written; choose a folder where you may, with room left");
   }

@@ -1,16 +1,21 @@
 """Files for remeshers, read back by parsers that know only what the formats say."""
 
 import os
+import subprocess
+import sys
 import tempfile
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from directionalmultigrid import FieldError, smooth_field, write_raw_field, write_rosy, write_sharp
 from surfaces import prism, surface, torus, values
+
 
 def numbers(path, separator=None):
     """The file's lines as lists of numbers."""
@@ -149,6 +154,72 @@ class Export(unittest.TestCase):
         with self.assertRaisesRegex(FieldError, "Direction0 is not finite on face 7"):
             write_raw_field(self.path, mesh)
         self.assertFalse(os.path.exists(self.path))
+
+    def test_surfaces_are_checked_as_by_the_filters(self):
+        def damaged(change):
+            mesh = vtkPolyData()
+            mesh.DeepCopy(smooth_field(torus(12, 8)))
+            change(mesh)
+            return mesh
+
+        def add_cell(*points):
+            def change(mesh):
+                mesh.GetPolys().InsertNextCell(len(points), list(points))
+                mesh.GetCellData().GetArray("Direction0").InsertNextTuple3(1, 0, 0)
+            return change
+
+        def say_number(*numbers):
+            def change(mesh):
+                array = vtkDoubleArray()
+                array.SetName("NumberOfDirections")
+                for number in numbers:
+                    array.InsertNextValue(number)
+                mesh.GetFieldData().AddArray(array)
+            return change
+
+        wrong = {"uses point 1000000000": add_cell(0, 1, 10**9), "uses point -1": add_cell(0, 1, -1), "fewer than three points": add_cell(),
+                 "point 0 has a coordinate that is not finite": lambda mesh: mesh.GetPoints().SetPoint(0, float("nan"), 0, 0),
+                 "point 3 .*1e": lambda mesh: mesh.GetPoints().SetPoint(3, 1e200, 0, 0)}
+        for text, change in wrong.items():
+            for write in (write_rosy, write_raw_field, write_sharp):
+                with self.subTest(text, write=write.__name__), self.assertRaisesRegex(FieldError, text):
+                    write(self.path, damaged(change))
+        for numbers in ((), (0,), (-3,), (float("nan"),), (1e9,), (2.5,), (4, 4)):
+            for write in (write_rosy, write_raw_field):
+                with self.subTest(numbers), self.assertRaisesRegex(FieldError, "NumberOfDirections is not one number from 1 to 8"):
+                    write(self.path, damaged(say_number(*numbers)))
+        self.assertFalse(os.path.exists(self.path))
+
+    def test_a_full_disk_leaves_the_former_file(self):
+        mesh = smooth_field(torus(12, 8))
+        with open(self.path, "w") as file:
+            file.write("former")
+        write_in_little_room = """if True:
+            import resource, signal, sys
+            from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+            from directionalmultigrid import FieldError, update, write_rosy
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(sys.argv[1])
+            mesh = update(reader)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+            try:
+                write_rosy(sys.argv[2], mesh)
+            except FieldError as error:
+                print(error)
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            writer = vtkXMLPolyDataWriter()
+            writer.SetFileName(os.path.join(folder, "mesh.vtp"))
+            writer.SetInputData(mesh)
+            writer.SetDataModeToBinary()
+            writer.Write()
+            done = subprocess.run([sys.executable, "-c", write_in_little_room, os.path.join(folder, "mesh.vtp"), self.path],
+                                  check=True, text=True, stdout=subprocess.PIPE)
+        self.assertIn("cannot be written", done.stdout)
+        with open(self.path) as file:
+            self.assertEqual(file.read(), "former")
+        self.assertFalse(os.path.exists(self.path + ".part"))
 
 
 if __name__ == "__main__":

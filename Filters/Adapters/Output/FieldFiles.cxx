@@ -1,6 +1,9 @@
 #include "Adapters/Output/FieldFiles.h"
 
+#include "Adapters/Data/CellChecks.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Drawing/DirectionsOnFaces.h"
+#include "Mesh/PointChecks.h"
 #include "Support/Errors.h"
 #include "Support/Types.h"
 
@@ -34,8 +37,40 @@ struct Face
   std::vector<int> Points;
 };
 
+/// \throw InvalidInput a corner is nowhere, or farther away than the filters take it.
+void CheckCorners(vtkDataSet* surface, const std::vector<Face>& faces)
+{
+  std::vector<bool> isCorner(surface->GetNumberOfPoints());
+  for (const Face& face : faces)
+  {
+    for (const int point : face.Points)
+    {
+      isCorner[point] = true;
+    }
+  }
+  ElementNames names;
+  for (std::size_t point = 0; point < isCorner.size(); ++point)
+  {
+    if (isCorner[point])
+    {
+      names.Vertices.push_back(static_cast<long long>(point));
+    }
+  }
+  Points corners(names.Vertices.size(), 3);
+  for (Eigen::Index row = 0; row < corners.rows(); ++row)
+  {
+    surface->GetPoint(names.Vertices[row], corners.row(row).data());
+  }
+  if (corners.rows() > 0)
+  {
+    CheckPoints(corners, names);
+  }
+}
+
+/// \throw InvalidInput cells or points are not what they should be.
 std::vector<Face> FacesOf(vtkDataSet* surface)
 {
+  CheckCells(surface, "the surface");
   std::vector<Face> faces;
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType number = 0; number < surface->GetNumberOfCells(); ++number)
@@ -43,6 +78,12 @@ std::vector<Face> FacesOf(vtkDataSet* surface)
     surface->GetCell(number, cell);
     if (cell->GetCellDimension() == 2)
     {
+      if (cell->GetNumberOfPoints() < 3)
+      {
+        throw InvalidInput("cell " + std::to_string(number) +
+          " has fewer than three points, which remeshers do not take; remove it with "
+          "Clean (vtkCleanPolyData), and compute the field again");
+      }
       Face face{ static_cast<int>(number), std::vector<int>(cell->GetNumberOfPoints()) };
       for (int k = 0; k < cell->GetNumberOfPoints(); ++k)
       {
@@ -51,6 +92,7 @@ std::vector<Face> FacesOf(vtkDataSet* surface)
       faces.push_back(std::move(face));
     }
   }
+  CheckCorners(surface, faces);
   return faces;
 }
 
@@ -108,9 +150,16 @@ vtkDataArray* DirectionOf(vtkDataSet* surface, int k)
 
 int NumberOfDirectionsOf(vtkDataSet* surface)
 {
-  if (vtkDataArray* const reported = surface->GetFieldData()->GetArray(ArrayNames::NumberOfDirections))
+  vtkDataArray* const reported = surface->GetFieldData()->GetArray(ArrayNames::NumberOfDirections);
+  if (reported)
   {
-    return static_cast<int>(reported->GetTuple1(0));
+    const double number = reported->GetNumberOfValues() == 1 ? reported->GetTuple1(0) : 0.0;
+    if (!(number >= 1.0 && number <= DirectionsOnFaces::LargestN) || number != std::floor(number))
+    {
+      throw InvalidInput("the field data array NumberOfDirections is not one number from 1 to " +
+        std::to_string(DirectionsOnFaces::LargestN) + "; apply Directional Field (vtkDirectionalField) again");
+    }
+    return static_cast<int>(number);
   }
   int n = 1;
   while (surface->GetCellData()->HasArray(ArrayNames::Direction(n).c_str()))
