@@ -6,16 +6,20 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList
 from vtkmodules.vtkCommonDataModel import (
-    VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE, VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL,
-    VTK_LAGRANGE_TRIANGLE, VTK_LINE, VTK_PIXEL, VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TETRA,
-    VTK_TRIANGLE, VTK_VERTEX, vtkCellArray, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
+    VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TETRAHEDRON, VTK_BEZIER_TRIANGLE, VTK_BEZIER_WEDGE, VTK_BIQUADRATIC_QUAD,
+    VTK_BIQUADRATIC_TRIANGLE, VTK_HEXAGONAL_PRISM, VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_QUADRILATERAL,
+    VTK_LAGRANGE_TETRAHEDRON, VTK_LAGRANGE_TRIANGLE, VTK_LAGRANGE_WEDGE, VTK_LINE, VTK_PENTAGONAL_PRISM, VTK_PIXEL, VTK_POLYHEDRON,
+    VTK_PYRAMID, VTK_QUAD, VTK_QUADRATIC_EDGE, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_PYRAMID,
+    VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE, VTK_QUADRATIC_WEDGE, VTK_TETRA, VTK_TRIANGLE,
+    VTK_TRIQUADRATIC_HEXAHEDRON, VTK_VERTEX, VTK_VOXEL, VTK_WEDGE, vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkRectilinearGrid,
+    vtkStructuredGrid, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from directionalmultigrid import FieldError, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
-    vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
+    vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldQuads, vtkFieldSingularities,
     vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
 from any_surfaces import grid_of_types, points_of, polygons
 from surfaces import add, torus
@@ -67,6 +71,80 @@ class DamagedInputs(unittest.TestCase):
         self.expect_error(grid, "cell 1 of the surface has 3 points")
         seven = grid_of_types(positions, [(VTK_LAGRANGE_QUADRILATERAL, range(7))])  # VTK takes it for one of 3 x 3
         self.expect_error(seven, "has 7 points, and its type needs 9", FILTERS[:1])
+
+    def test_cells_of_volumes_are_named_too(self):
+        """Cells of three dimensions by themselves, and any cell beside a tetrahedron: VTK reads all of them for the skin."""
+        positions = [(i % 3, i // 3 % 3, i // 9 + 0.1 * (i % 2)) for i in range(30)]
+        solid = {VTK_TETRA: 4, VTK_VOXEL: 8, VTK_HEXAHEDRON: 8, VTK_WEDGE: 6, VTK_PYRAMID: 5, VTK_PENTAGONAL_PRISM: 10,
+                 VTK_HEXAGONAL_PRISM: 12, VTK_QUADRATIC_TETRA: 10, VTK_QUADRATIC_HEXAHEDRON: 20, VTK_QUADRATIC_WEDGE: 15,
+                 VTK_QUADRATIC_PYRAMID: 13, VTK_TRIQUADRATIC_HEXAHEDRON: 27, VTK_LAGRANGE_TETRAHEDRON: 4, VTK_LAGRANGE_HEXAHEDRON: 8,
+                 VTK_LAGRANGE_WEDGE: 6, VTK_BEZIER_TETRAHEDRON: 4, VTK_BEZIER_HEXAHEDRON: 8, VTK_BEZIER_WEDGE: 6}
+        flat = {VTK_LINE: 2, VTK_QUADRATIC_EDGE: 3, VTK_TRIANGLE: 3, VTK_PIXEL: 4, VTK_QUAD: 4, VTK_QUADRATIC_QUAD: 8}
+        for kind, size in {**solid, **flat}.items():
+            for given in range(size):
+                grid = grid_of_types(positions, [(VTK_TETRA, [0, 1, 3, 10]), (kind, range(given))])
+                self.expect_error(grid, f"cell 1 of the surface has {given} points, and its type needs {size}", FILTERS[:1])
+            if kind in solid:
+                self.expect_error(grid_of_types(positions, [(kind, range(size - 1))]), "cell 0 of the surface has", FILTERS[:1])
+        odd = {VTK_LAGRANGE_TETRAHEDRON: (5, 10), VTK_BEZIER_TETRAHEDRON: (11, 20), VTK_LAGRANGE_WEDGE: (11, 18), VTK_LAGRANGE_HEXAHEDRON: (20, 27)}
+        for kind, (given, size) in odd.items():
+            self.expect_error(grid_of_types(positions, [(kind, range(given))]), f"has {given} points, and its type needs {size}", FILTERS[:1])
+        self.expect_error(grid_of_types(positions, [(VTK_TETRA, [0, 1, 3])]), "cell 0 of the surface has 3 points")
+
+    def test_faces_of_polyhedra_are_checked(self):
+        faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+
+        def polyhedron(faces):
+            grid, stream = vtkUnstructuredGrid(), vtkIdList()
+            grid.SetPoints(points_of([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (5, 5, 5)]))
+            for number in [len(faces)] + [number for face in faces for number in [len(face), *face]]:
+                stream.InsertNextId(number)
+            grid.InsertNextCell(VTK_POLYHEDRON, stream)
+            return grid
+
+        self.assertEqual(smooth_field(polyhedron(faces)).GetNumberOfCells(), 4)
+        for wrong in ([0, 2], [0], []):
+            self.expect_error(polyhedron([wrong] + faces[1:]), "cell 0 of the surface is a polyhedron", FILTERS[:1])
+        for wrong in ([0, 2, 99], [0, 2, -1], [0, 2, 10**12]):
+            self.expect_error(polyhedron([wrong] + faces[1:]), "cell 0", FILTERS[:1])
+        for few in ([], faces[:1]):
+            self.expect_error(polyhedron(few), f"is a polyhedron of {len(few)} faces", FILTERS[:1])
+
+    def test_short_arrays_of_volumes_are_those_of_surfaces(self):
+        positions = [(x, y, z) for z in range(2) for y in range(40) for x in range(40)]
+        at = lambda x, y, z: (z * 40 + y) * 40 + x
+        cells = [(VTK_VOXEL, [at(x + i, y + j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]) for y in range(39) for x in range(39)]
+        for association in ("Point", "Cell"):
+            grid = grid_of_types(positions, cells)
+            add(getattr(grid, f"Get{association}Data")(), "Short", np.ones((3, 3)))
+            self.assertTrue(smooth_field(grid).GetNumberOfCells() > 0)  # nobody asked for it
+            with self.assertRaisesRegex(FieldError, "array 'Short'.* has 3 tuples for"):
+                smooth_field(grid, Directions="Short")
+
+    def test_blocks_without_a_surface_go_through(self):
+        """Beams and node sets beside a surface, as in files of finite elements; and tables."""
+        line, vertices = vtkPolyData(), grid_of_types([(0, 0, 0), (1, 0, 0)], [(VTK_VERTEX, [0]), (VTK_VERTEX, [1])])
+        line.SetPoints(points_of([(0, 0, 0), (1, 0, 0)]))
+        lines = vtkCellArray()
+        lines.InsertNextCell(2, [0, 1])
+        line.SetLines(lines)
+        alone = {kind: update(made(kind, sphere())).GetNumberOfCells() for kind in WITHOUT_ARRAYS}
+        for other in (line, vertices):
+            for kind in WITHOUT_ARRAYS:
+                with self.subTest(kind=kind.__name__, other=other.GetClassName()):
+                    blocks = vtkMultiBlockDataSet()
+                    blocks.SetBlock(0, other)
+                    blocks.SetBlock(1, sphere())
+                    result = update(made(kind, blocks))
+                    self.assertEqual(result.GetBlock(0).GetNumberOfCells(), other.GetNumberOfCells())
+                    self.assertEqual(result.GetBlock(1).GetNumberOfCells(), alone[kind])
+        for kind in FILTERS[:2] + (vtkFieldQuads,):
+            blocks = vtkMultiBlockDataSet()
+            blocks.SetBlock(0, sphere())
+            blocks.SetBlock(1, vtkTable())
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                self.assertGreater(update(made(kind, blocks)).GetBlock(0).GetNumberOfCells(), 0)
 
     def test_points_that_are_not_there_are_named_in_cells_of_any_type(self):
         for far in (-10**9, -1, 4, 10**9):

@@ -1,5 +1,6 @@
 #include "Adapters/Data/CellChecks.h"
 
+#include "Adapters/Data/SkinOfVolume.h"
 #include "Support/Errors.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -10,6 +11,7 @@
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -17,6 +19,7 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +83,7 @@ private:
       this->RefuseSize("types", types ? types->GetNumberOfTuples() : 0, grid->GetNumberOfCells(), "cells");
     }
     this->CheckSizes(grid, types);
+    this->CheckPolyhedra(grid, types);
   }
 
   void CheckGrid() const
@@ -165,6 +169,7 @@ private:
 
   void CheckSizes(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types) const
   {
+    const bool isVolume = IsVolume(grid); // its skin is taken, for which VTK reads all cells
     std::array<vtkIdType, 256> least;
     least.fill(-1);
     for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
@@ -172,13 +177,13 @@ private:
       const int type = types->GetValue(cell);
       if (least[type] < 0)
       {
-        least[type] = LeastSize(type);
+        least[type] = LeastSize(type, isVolume);
       }
       if (least[type] > 0)
       {
         const vtkIdType size = grid->GetCells()->GetCellSize(cell);
         const vtkIdType needed = std::max(least[type], this->SizeOfOrder(type, cell, size));
-        if (size < needed)
+        if (size < needed || (isVolume && type == VTK_PIXEL && size > needed))
         {
           throw InvalidInput(Cell(cell) + " of " + this->Whose + " has " + std::to_string(size) +
             " points, and its type needs " + std::to_string(needed) + "; repair the source of " + this->Whose);
@@ -187,33 +192,136 @@ private:
     }
   }
 
-  /// The points that VTK reads of any cell of a type. Where a type has two dimensions and no higher order, cells of fewer points
-  /// are polygons.
-  static vtkIdType LeastSize(int type)
+  /// The points that VTK reads of any cell of a type. On surfaces, triangles and quadrilaterals of fewer points are polygons, and cells of
+  /// no or one dimension take no part.
+  static vtkIdType LeastSize(int type, bool isVolume)
   {
-    if (type == VTK_TRIANGLE || type == VTK_QUAD)
+    if (!isVolume && (type == VTK_TRIANGLE || type == VTK_QUAD))
     {
       return 0;
     }
     vtkNew<vtkGenericCell> cell;
     cell->SetCellType(type);
-    return cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
+    return isVolume || cell->GetCellDimension() == 2 ? cell->GetNumberOfPoints() : 0;
   }
 
-  /// The number of points of a quadrilateral: that of the orders in the cell data, where these have any, else its own.
+  /// The number of points of a cell of higher order: that of the orders in the cell data, where these have any, else that of the
+  /// same order along all axes.
   vtkIdType SizeOfOrder(int type, vtkIdType cell, vtkIdType size) const
   {
-    if (type != VTK_LAGRANGE_QUADRILATERAL && type != VTK_BEZIER_QUADRILATERAL)
+    const auto isOneOf = [type](int lagrange, int bezier) { return type == lagrange || type == bezier; };
+    vtkDataArray* const degrees = this->Data->GetCellData()->GetHigherOrderDegrees();
+    const bool hasDegrees = degrees && degrees->GetNumberOfComponents() >= 3 && degrees->GetNumberOfTuples() > cell;
+    const auto order = [&](int axis, double root)
+    { return static_cast<vtkIdType>(hasDegrees ? degrees->GetComponent(cell, axis) : std::lround(root) - 1.0); };
+    const auto number = static_cast<double>(size);
+    if (isOneOf(VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_QUADRILATERAL))
+    {
+      return (order(0, std::sqrt(number)) + 1) * (order(1, std::sqrt(number)) + 1);
+    }
+    if (isOneOf(VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_HEXAHEDRON))
+    {
+      const double root = std::cbrt(number);
+      return (order(0, root) + 1) * (order(1, root) + 1) * (order(2, root) + 1);
+    }
+    if (isOneOf(VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE) &&
+      size != 21) // 21: quadratic, with points in the middle of sides and inside
+    {
+      const double root = std::cbrt(2.0 * number);
+      return (order(0, root) + 1) * (order(0, root) + 2) / 2 * (order(2, root) + 1);
+    }
+    if (isOneOf(VTK_LAGRANGE_TETRAHEDRON, VTK_BEZIER_TETRAHEDRON) && size != 15) // 15: the same
+    {
+      vtkIdType n = 1;
+      while ((n + 1) * (n + 2) * (n + 3) / 6 < size)
+      {
+        ++n;
+      }
+      return (n + 1) * (n + 2) * (n + 3) / 6;
+    }
+    return 0;
+  }
+
+  /// Polyhedra have lists of faces beside that of points.
+  void CheckPolyhedra(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types) const
+  {
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      if (types->GetValue(cell) != VTK_POLYHEDRON)
+      {
+        continue;
+      }
+      const vtkIdType faces = this->CheckFaces(grid, cell);
+      if (faces < 4)
+      {
+        throw InvalidInput(Cell(cell) + " of " + this->Whose + " is a polyhedron of " + std::to_string(faces) +
+          " faces; repair the source of " + this->Whose);
+      }
+    }
+  }
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0) // faces are cells of a list
+  vtkIdType CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell) const
+  {
+    vtkCellArray* const faces = grid->GetPolyhedronFaces();
+    vtkCellArray* const facesOfCells = grid->GetPolyhedronFaceLocations();
+    if (!faces || !facesOfCells || facesOfCells->GetNumberOfCells() <= cell)
     {
       return 0;
     }
-    vtkDataArray* const degrees = this->Data->GetCellData()->GetHigherOrderDegrees();
-    if (degrees && degrees->GetNumberOfComponents() >= 2 && degrees->GetNumberOfTuples() > cell)
+    vtkNew<vtkIdList> ids, corners;
+    facesOfCells->GetCellAtId(cell, ids);
+    for (const vtkIdType face : *ids)
     {
-      return static_cast<vtkIdType>((degrees->GetComponent(cell, 0) + 1) * (degrees->GetComponent(cell, 1) + 1));
+      if (face < 0 || face >= faces->GetNumberOfCells())
+      {
+        this->RefuseFace(cell);
+      }
+      faces->GetCellAtId(face, corners);
+      this->CheckFace(cell, corners->GetPointer(0), corners->GetNumberOfIds());
     }
-    const auto side = static_cast<vtkIdType>(std::lround(std::sqrt(static_cast<double>(size))));
-    return side * side;
+    return ids->GetNumberOfIds();
+  }
+#else // faces are numbers of corners, each before the corners
+  vtkIdType CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell) const
+  {
+    vtkIdTypeArray* const stream = grid->GetFaces();
+    vtkIdTypeArray* const starts = grid->GetFaceLocations();
+    if (!stream || !starts || starts->GetNumberOfTuples() <= cell || starts->GetValue(cell) < 0)
+    {
+      return 0;
+    }
+    const vtkIdType size = stream->GetNumberOfValues();
+    vtkIdType at = starts->GetValue(cell);
+    const vtkIdType faces = at < size ? stream->GetValue(at++) : 0;
+    for (vtkIdType face = 0; face < faces; ++face)
+    {
+      const vtkIdType corners = at < size ? stream->GetValue(at++) : 0;
+      if (corners < 0 || corners > size - at)
+      {
+        this->RefuseFace(cell);
+      }
+      this->CheckFace(cell, stream->GetPointer(at), corners);
+      at += corners;
+    }
+    return faces;
+  }
+#endif
+
+  void CheckFace(vtkIdType cell, const vtkIdType* corners, vtkIdType number) const
+  {
+    if (number < 3 ||
+      std::any_of(corners, corners + number, [this](vtkIdType id) { return id < 0 || id >= this->NumberOfPoints; }))
+    {
+      this->RefuseFace(cell);
+    }
+  }
+
+  [[noreturn]] void RefuseFace(vtkIdType cell) const
+  {
+    throw InvalidInput(Cell(cell) + " of " + this->Whose +
+      " is a polyhedron with a face of fewer than three corners, or of points that " + this->Whose +
+      " has not; repair the source of " + this->Whose);
   }
 
   [[noreturn]] void RefuseSize(const std::string& what, vtkIdType size, vtkIdType needed, const std::string& of) const

@@ -16,6 +16,9 @@ bool IsStructuredVolume(vtkInformation* input);
 /// Whether some cell has three dimensions.
 bool IsVolume(vtkDataSet* dataset);
 
+/// Whether some cell has two or three dimensions. \pre CheckCells.
+bool HasSurface(vtkDataSet* dataset);
+
 /// The skin of a dataset with cells of three dimensions, as vtkGeometryFilter makes it, with its arrays: the sides of these cells that
 /// belong to one alone, and all cells of fewer dimensions. A vtkPolyData, and a vtkUnstructuredGrid where the dataset is one.
 /// \pre CheckCells; IsVolume.

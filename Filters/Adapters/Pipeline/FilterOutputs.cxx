@@ -238,6 +238,36 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   }
 }
 
+/// Whether the input is a block beside others that has no surface: beams and node sets go through, and tables are left out.
+bool HasGoneThrough(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* const block = vtkDataSet::GetData(inputs[0]);
+  if (!block)
+  {
+    vtkWarningWithObjectMacro(algorithm,
+      "a block is a " << vtkDataObject::GetData(inputs[0])->GetClassName() << ", which has no cells, and is left out");
+    return true;
+  }
+  if (!IsOnLeaf(algorithm) || block->GetNumberOfCells() == 0)
+  {
+    return false;
+  }
+  CheckCells(block, "the surface");
+  if (HasSurface(block))
+  {
+    return false;
+  }
+  if (HandsSurfaceOn(algorithm))
+  {
+    vtkDataObject::GetData(outputs, 0)->ShallowCopy(block);
+  }
+  static vtkInformationIntegerKey* const isTold =
+    vtkInformationIntegerKey::MakeKey("BLOCK_IS_TOLD", "DirectionalMultigrid");
+  TellOnce(
+    algorithm, outputs, isTold, "Block", "a block has no cells of two or three dimensions and goes through as it is");
+  return true;
+}
+
 /// The whole surface, where there is one process or only the first one works.
 void MakeOfWhole(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -272,6 +302,10 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
   try
   {
     Empty(outputs);
+    if (HasGoneThrough(algorithm, inputs, outputs))
+    {
+      return 1;
+    }
     if (areInPieces)
     {
       MakeOfPieces(ranks, make, inPieces, algorithm, inputs, outputs);

@@ -7,6 +7,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
@@ -51,10 +52,11 @@ int TakeAnyDataSet(vtkInformation* port)
 
 int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
+  vtkDataSet* const input =
+    vtkDataSet::GetData(inputs[0]); // none: the executive says so, but after this; or a block that is a table
   vtkInformation* const output = outputs->GetInformationObject(0);
   vtkDataObject* const former = output->Get(vtkDataObject::DATA_OBJECT());
-  if (!input || IsStructuredVolume(inputs[0]->GetInformationObject(0))) // none: the executive says so, but after this
+  if (!input || IsStructuredVolume(inputs[0]->GetInformationObject(0)))
   {
     if (!vtkPolyData::SafeDownCast(former))
     {

@@ -139,6 +139,11 @@ void BeginExecution(vtkAlgorithm* algorithm, bool isLeaf)
   LeavesOf(algorithm)->ComesNext = true;
 }
 
+bool IsOnLeaf(vtkAlgorithm* algorithm)
+{
+  return LeavesOf(algorithm) != nullptr;
+}
+
 void WarnOfTouchingLeaves(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   FormerLeaves* const leaves = LeavesOf(algorithm);

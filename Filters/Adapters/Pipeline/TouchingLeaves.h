@@ -13,6 +13,9 @@ namespace dmg
 /// \param isLeaf whether with a leaf of the dataset that the last one began with.
 void BeginExecution(vtkAlgorithm* algorithm, bool isLeaf);
 
+/// Whether a filter works on a leaf of a composite dataset.
+bool IsOnLeaf(vtkAlgorithm* algorithm);
+
 /// Warns, once for a composite dataset, where the boundary of a leaf lies on that of a former one. Leaves of the same bounds are not taken
 /// for tiles. Does nothing where this is no leaf.
 /// Cost: n log n in the number of its points.
