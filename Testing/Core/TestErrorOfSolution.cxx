@@ -72,7 +72,8 @@ Extended Stiffness(const FramedMesh& surface, DiscretisationKind kind)
       return (d0.transpose() * Star1(surface.Mesh).asDiagonal() * d0).cast<long double>();
     }
     case DiscretisationKind::VertexPowerField:
-      return AsPairs(Eigen::MatrixXcd(ConnectionLaplacian(surface.Mesh, VertexConnection(surface, SerialContext()), 1)));
+      return AsPairs(
+        Eigen::MatrixXcd(ConnectionLaplacian(surface.Mesh, VertexConnection(surface, SerialContext()), 1)));
     default:
       return AsPairs(Eigen::MatrixXcd(PowerLaplacian(surface.Mesh, surface.Faces, 1, SerialContext())));
   }
