@@ -9,9 +9,19 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
 namespace
 {
 constexpr int Never = -1; // is when ParaView fits the colours to the range of the data by itself
+
+// Half the interval that colours were given here, of the transfer function, which states keep with it. Colours without it are somebody's own.
+constexpr const char* Half = "DirectionalMultigrid.HalfOfInterval";
 
 vtkSMProxy* TransferFunctionOf(const char* array, vtkSMProxy* filter)
 {
@@ -19,15 +29,37 @@ vtkSMProxy* TransferFunctionOf(const char* array, vtkSMProxy* filter)
   return manager->GetColorTransferFunction(array, filter->GetSessionProxyManager());
 }
 
+bool HasInterval(vtkSMProxy* function, double half)
+{
+  double range[2];
+  return vtkSMTransferFunctionProxy::GetRange(function, range) && std::abs(range[0] + half) <= 1e-9 * half &&
+    std::abs(range[1] - half) <= 1e-9 * half;
+}
+
 void AfterUpdate(vtkObject* caller, unsigned long, void* data, void*)
 {
   const auto& colors = *static_cast<const ColorsAroundZero*>(data);
   auto* const filter = vtkSMSourceProxy::SafeDownCast(caller);
-  const double half = colors.HalfOf(filter);
   vtkSMProxy* const function = TransferFunctionOf(colors.Array, filter);
-  if (half > 0.0 && vtkSMPropertyHelper(function, "AutomaticRescaleRangeMode").GetAsInt() == Never)
+  if (!function->HasAnnotation(Half))
+  {
+    return;
+  }
+  const double former = std::strtod(function->GetAnnotation(Half), nullptr);
+  if (former > 0.0 && !HasInterval(function, former))
+  {
+    function->RemoveAnnotation(Half);
+    return;
+  }
+  const double needed = colors.HalfOf(filter);
+  const double half = colors.OnlyGrows ? std::max(former, needed) : needed;
+  if (half > 0.0 && half != former)
   {
     vtkSMTransferFunctionProxy::RescaleTransferFunction(function, -half, half);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(17) << half;
+    function->SetAnnotation(Half, text.str().c_str());
   }
 }
 }
@@ -46,7 +78,13 @@ void SetColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors)
     vtkSMPropertyHelper(function, "AutomaticRescaleRangeMode").Set(Never);
     vtkSMPropertyHelper(function, "ScalarRangeInitialized").Set(1); // else it is that of the first data
     function->UpdateVTKObjects();
+    function->SetAnnotation(Half, "0");
   }
+}
+
+//------------------------------------------------------------------------------
+void FitColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors)
+{
   vtkNew<vtkCallbackCommand> after;
   after->SetCallback(AfterUpdate);
   after->SetClientData(const_cast<ColorsAroundZero*>(&colors));

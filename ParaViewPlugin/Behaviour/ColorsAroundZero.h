@@ -9,13 +9,18 @@ struct ColorsAroundZero
 {
   const char* Array;
   const char* Preset; ///< null for the one that ParaView has chosen
-  /// Half the length of the interval that the colours span, asked after each update of the filter; 0 leaves it as it is.
+  /// Half the length of the interval that the data of the last update need; 0 leaves it as it is.
   double (*HalfOf)(vtkSMSourceProxy* filter);
+  /// Whether the interval never shrinks, so that the steps of a time series have the same colours.
+  bool OnlyGrows;
 };
 
-/// Lets the colours span an interval around zero after each update of a filter. Colours that somebody has chosen for arrays of this name
-/// stay.
-/// \param colors has to live as long as the filter.
+/// Gives a new filter its colours. Colours that somebody has chosen for arrays of this name stay.
 void SetColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors);
+
+/// Fits the interval of these colours after each update of a filter, also of one from a state file. An interval that somebody has changed is
+/// never touched again.
+/// \param colors has to live as long as the filter.
+void FitColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors);
 
 #endif

@@ -19,9 +19,9 @@ namespace
 {
 void Watch(vtkSMProxy* filter, const std::string& what)
 {
-  static const std::map<std::string, void (*)(vtkSMProxy*)> watches{ { "ChosenPoint", WatchChosenPoint },
-    { "DeletedInputs", WatchDeletedInputs }, { "Followed", WatchFollowed }, { "GuidesFirst", WatchGuidesFirst },
-    { "GuidesOnce", WatchGuidesOnce } };
+  static const std::map<std::string, void (*)(vtkSMProxy*)> watches{ { "CenteredColors", WatchCenteredColors },
+    { "ChosenPoint", WatchChosenPoint }, { "CyclicColors", WatchCyclicColors }, { "DeletedInputs", WatchDeletedInputs },
+    { "Followed", WatchFollowed }, { "GuidesFirst", WatchGuidesFirst }, { "GuidesOnce", WatchGuidesOnce } };
   const auto watch = watches.find(what);
   if (watch != watches.end())
   {

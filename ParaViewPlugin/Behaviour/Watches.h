@@ -34,6 +34,13 @@ void WatchDeletedInputs(vtkSMProxy* filter);
 /// handle in the view, is at that point and stays there. Whoever sets Point before has chosen.
 void WatchChosenPoint(vtkSMProxy* filter);
 
+/// "CenteredColors". The colours of StreamFunction span the interval around zero that all updates of this filter have needed so far, unless
+/// somebody changes it.
+void WatchCenteredColors(vtkSMProxy* filter);
+
+/// "CyclicColors". The colours of Angle span the property Period around zero, unless somebody changes the interval.
+void WatchCyclicColors(vtkSMProxy* filter);
+
 /// Has the filters of all sessions watched, of this time and to come. The plugin calls it when it is loaded.
 void WatchFilters();
 

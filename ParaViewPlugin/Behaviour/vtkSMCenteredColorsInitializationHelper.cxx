@@ -1,6 +1,7 @@
 #include "vtkSMCenteredColorsInitializationHelper.h"
 
 #include "ColorsAroundZero.h"
+#include "Watches.h"
 #include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
@@ -23,11 +24,17 @@ double LargestMagnitude(vtkSMSourceProxy* filter)
   return range ? std::max(std::abs(range[0]), std::abs(range[1])) : 0.0;
 }
 
-constexpr ColorsAroundZero Centered = { Array, nullptr, LargestMagnitude };
+constexpr ColorsAroundZero Centered = { Array, nullptr, LargestMagnitude, true };
 }
 
 //------------------------------------------------------------------------------
 void vtkSMCenteredColorsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
 {
   SetColorsAroundZero(filter, Centered);
+}
+
+//------------------------------------------------------------------------------
+void WatchCenteredColors(vtkSMProxy* filter)
+{
+  FitColorsAroundZero(filter, Centered);
 }

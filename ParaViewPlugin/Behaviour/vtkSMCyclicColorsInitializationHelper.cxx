@@ -1,6 +1,7 @@
 #include "vtkSMCyclicColorsInitializationHelper.h"
 
 #include "ColorsAroundZero.h"
+#include "Watches.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -15,11 +16,17 @@ double HalfOfPeriod(vtkSMSourceProxy* filter)
   return 0.5 * vtkSMPropertyHelper(filter, "Period").GetAsDouble();
 }
 
-constexpr ColorsAroundZero Cyclic = { "Angle", "hue_L60", HalfOfPeriod }; // hues of one lightness
+constexpr ColorsAroundZero Cyclic = { "Angle", "hue_L60", HalfOfPeriod, false }; // hues of one lightness
 }
 
 //------------------------------------------------------------------------------
 void vtkSMCyclicColorsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
 {
   SetColorsAroundZero(filter, Cyclic);
+}
+
+//------------------------------------------------------------------------------
+void WatchCyclicColors(vtkSMProxy* filter)
+{
+  FitColorsAroundZero(filter, Cyclic);
 }

@@ -35,7 +35,8 @@ class FirstContact(unittest.TestCase):
 
     def test_kinds_of_fields_have_filters(self):
         self.assertEqual(simple.VectorField(Input=sphere()).Discretisation, "Face Field")
-        for kind, number in ((simple.CrossField, 4), (simple.LineField, 2), (simple.FibreOrientation, 2), (simple.VectorField, 1)):
+        for kind, number in ((simple.CrossField, 4), (simple.LineField, 2), (simple.FibreOrientation, 2), (simple.FiberOrientation, 2),
+                             (simple.FibreOrientation, 2), (simple.VectorField, 1)):
             field = kind(Input=sphere())
             field.UpdatePipeline()
             report = simple.servermanager.Fetch(field, idx=0).GetFieldData()

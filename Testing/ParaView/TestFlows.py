@@ -1,5 +1,7 @@
 """A flow through ParaView's Python: every property of Hodge Decomposition, by its label."""
 
+import tempfile
+
 import numpy as np
 import paraview.simple as simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -11,6 +13,46 @@ def point_array(data, name):
 
 def shares(data):
     return vtk_to_numpy(data.GetFieldData().GetArray("FlowShares"))
+
+
+def interval():
+    colours = simple.GetColorTransferFunction("StreamFunction").RGBPoints
+    return colours[0], colours[-4]
+
+
+def check_colours_of_steps():
+    """The steps of a series have one interval of colours, which grows where a step needs more, also in a state that is opened again. What
+    somebody has chosen stays."""
+    simple.ResetSession()
+    sphere = simple.Sphere(Radius=1, ThetaResolution=30, PhiResolution=30)
+    flow = simple.Calculator(registrationName="Step", Input=sphere, ResultArrayName="Flow")
+    simple.HodgeDecomposition(registrationName="Parts", Input=flow, Vectors=["POINTS", "Flow"])
+
+    def after_step(factor):
+        simple.FindSource("Step").Function = f"{factor} * (coordsX * jHat - coordsY * iHat)"
+        parts = simple.FindSource("Parts")
+        simple.UpdatePipeline(proxy=parts)
+        largest = np.abs(point_array(simple.servermanager.Fetch(parts), "StreamFunction")).max()
+        return largest, interval()
+
+    def shows(range, half):
+        return np.allclose(range, (-half, half), rtol=1e-6)
+
+    one, colours = after_step(1)
+    assert shows(colours, one), (colours, one)
+    three, colours = after_step(3)
+    assert shows(colours, three), (colours, three)
+    assert shows(after_step(2)[1], three)
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveState(f"{folder}/steps.pvsm")
+        simple.ResetSession()
+        simple.LoadState(f"{folder}/steps.pvsm")
+    assert shows(after_step(1)[1], three), interval()
+    four, colours = after_step(4)
+    assert shows(colours, four), (colours, four)
+    simple.GetColorTransferFunction("StreamFunction").RescaleTransferFunction(-7, 9)
+    for factor in (5, 1):
+        assert after_step(factor)[1] == (-7, 9), interval()
 
 
 def main():
@@ -99,6 +141,7 @@ def main():
     blocks = simple.GroupDatasets(Input=halves)
     parts = simple.HodgeDecomposition(Input=simple.MergeBlocks(Input=blocks), Vectors=["POINTS", "Flow"])
     assert simple.servermanager.Fetch(parts).GetFieldData().GetArray("BoundaryPoint").GetNumberOfTuples() == 0
+    check_colours_of_steps()
     print("parts of a flow are found")
 
 
