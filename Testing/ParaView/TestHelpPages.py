@@ -46,8 +46,17 @@ class HelpPages(unittest.TestCase):
 
     def test_tables_are_ascii(self):
         """The window takes pages for Latin-1."""
+        for page in [*PAGES.glob("filters.*.html"), *PAGES.glob("writers.*.html")]:
+            page.read_text(encoding="ascii")
+
+    def test_contents_are_labels(self):
+        """The window's list of contents has the titles of pages: those of the menu, each once."""
+        titles = [re.search("<title>(.*)</title>", page.read_text()).group(1) for page in PAGES.glob("*.html")]
+        self.assertEqual(len(titles), len(set(titles)), sorted(titles))
         for proxy in proxies():
-            (PAGES / f"filters.{proxy.get('name')}.html").read_text(encoding="ascii")
+            self.assertIn(proxy.get("label"), titles)
+        for title in titles:
+            self.assertNotRegex(title, "[a-z][A-Z]")
 
     def test_pictures_have_the_size_that_they_are_shown_in(self):
         """The window would scale them roughly."""
