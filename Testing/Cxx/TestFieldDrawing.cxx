@@ -540,7 +540,8 @@ TEST(FieldSingularities, OfAPoleWithTooFewTrianglesWarn)
   }
   const auto names = [&](vtkIdType point)
   { return messages.GetWarnings().front().find("at point " + std::to_string(point) + " ") != std::string::npos; };
-  EXPECT_TRUE(names(0) || names(field->FindPoint(-pole[0], -pole[1], -pole[2]))) << "one of both poles";
+  double opposite[] = { -pole[0], -pole[1], -pole[2] };
+  EXPECT_TRUE(names(0) || names(field->FindPoint(opposite))) << "one of both poles";
   EXPECT_EQ(singularities->GetOutput(0)->GetPointData()->GetArray("Index")->GetComponent(0, 0), -0.25);
 
   messages.Forget();

@@ -11,6 +11,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from directionalmultigrid import smooth_field
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldSingularities
+from surfaces import surface
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 
@@ -63,6 +64,27 @@ class Singularities(unittest.TestCase):
                 for n in (1, 2, 4, 6):
                     field = smooth_field(reader.GetOutput(), n=n, Discretisation=kind)
                     self.assertFalse(warnings_of(field, n)[0], (path.name, kind, n))
+
+    def test_that_are_many_have_small_balls(self):
+        """Tetrahedra beside each other, with a singularity at each corner."""
+        corners = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+        sides = np.array([(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+
+        def triangles_of_balls(number):
+            points = (2 * np.stack([np.arange(number), np.zeros(number), np.zeros(number)], 1)[:, None] + corners).reshape(-1, 3)
+            triangles = (4 * np.arange(number)[:, None, None] + sides).reshape(-1, 3)
+            singularities = vtkFieldSingularities()
+            singularities.SetInputData(smooth_field(surface(points, triangles)))
+            singularities.Update()
+            balls = singularities.GetOutputDataObject(0).GetNumberOfPoints()
+            self.assertGreaterEqual(balls, 4 * number)
+            self.assertEqual(singularities.GetOutputDataObject(3).GetNumberOfCells() % balls, 0)
+            return singularities.GetOutputDataObject(3).GetNumberOfCells(), balls
+
+        triangles, balls = triangles_of_balls(10)
+        self.assertEqual(triangles, 2 * 24 * 22 * balls)
+        triangles, balls = triangles_of_balls(2000)
+        self.assertTrue(100 * balls < triangles <= 4e6, (triangles, balls))
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -221,11 +222,13 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   {
     return;
   }
-  constexpr int Resolution = 24;
-  vtkNew<vtkSphereSource> sphere;
+  constexpr double MostTriangles = 4e6;
+  const double perSphere = MostTriangles / static_cast<double>(singularities->GetNumberOfPoints());
+  const int resolution = std::clamp(static_cast<int>(std::sqrt(0.5 * perSphere)), 4, 24);
+  vtkNew<vtkSphereSource> sphere; // of 2 * resolution * (resolution - 2) triangles
   sphere->SetRadius(radius);
-  sphere->SetThetaResolution(Resolution);
-  sphere->SetPhiResolution(Resolution);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   vtkNew<vtkGlyph3D> glyphs;
   vtkNew<vtkPolyData> copy; // the pipeline writes into the data what was asked for
   copy->ShallowCopy(singularities);
