@@ -24,8 +24,9 @@ constexpr double WidestClosing = 0.1; ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
 constexpr double FailureRadius = 0.25; ///< around a line that is too short, others are as well
 constexpr double CoverStep = 0.8;      ///< the faces within CoverRadius of such samples are near the line
-constexpr double FailureStep = 0.2;    ///< the faces within FailureRadius of such samples are near a line that is too short
-constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
+constexpr double FailureStep =
+  0.2;                           ///< the faces within FailureRadius of such samples are near a line that is too short
+constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
 
 constexpr double IdleDistance = 0.05; ///< within which a line that stays ends
 
