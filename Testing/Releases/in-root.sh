@@ -86,8 +86,9 @@ if [ -z "$again" ] || [ ! -e "$root" ]; then
 fi
 
 mkdir -p "$root/tree"
+# All files are new: objects of the last run may be younger than a change that they lack. The cache of objects knows the rest.
 git ls-files --cached --others --exclude-standard -z |
-  tar --create --null --files-from=- --ignore-failed-read | tar --extract --no-same-owner --directory "$root/tree"
+  tar --create --null --files-from=- --ignore-failed-read | tar --extract --touch --no-same-owner --directory "$root/tree"
 in_root chown --recursive "$user" /tree
 in_root setpriv --reuid "$user" --regid "$user" --init-groups --reset-env \
   env CCACHE_DIR=/var/cache/objects CCACHE_UMASK=000 bash -euc 'cd /tree && "$@"' bash "$@"

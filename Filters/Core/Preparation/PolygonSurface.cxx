@@ -3,9 +3,11 @@
 #include "Preparation/EarClipping.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -51,14 +53,66 @@ void CheckCorners(const PolygonSurface& polygons)
   }
 }
 
+/// The corners of a polygon from its smallest one on, towards the smaller of both neighbours: the same for polygons with the same sides.
+/// \return the corners, and whether they go the other way round.
+std::pair<std::vector<int>, bool> SidesInOrder(const PolygonSurface& polygons, int p)
+{
+  std::vector<int> corners(
+    polygons.Corners.begin() + polygons.Offsets[p], polygons.Corners.begin() + polygons.Offsets[p + 1]);
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  const bool isReversed = corners.back() < corners[1];
+  if (isReversed)
+  {
+    std::reverse(corners.begin() + 1, corners.end());
+  }
+  return { std::move(corners), isReversed };
+}
+
+/// For each polygon of more than three corners the first one with the same sides, or itself.
+std::vector<int> FirstWithSameSides(const PolygonSurface& polygons, const ExecutionContext& context)
+{
+  const auto isLarge = [&polygons](int p) { return polygons.Offsets[p + 1] - polygons.Offsets[p] > 3; };
+  std::vector<int> firsts = Identity(polygons.Size());
+  const std::vector<int> large = Choose(polygons.Size(), isLarge, context);
+  const int numberOfPoints = static_cast<int>(polygons.Positions.rows());
+  const ItemsByPair byCorners = SortByPair(
+    static_cast<int>(large.size()), numberOfPoints,
+    [&](int k) -> std::pair<int, int>
+    {
+      const int* const begin = polygons.Corners.data();
+      const auto [least, largest] =
+        std::minmax_element(begin + polygons.Offsets[large[k]], begin + polygons.Offsets[large[k] + 1]);
+      return { *least, *largest };
+    },
+    context);
+  for (int point = 0; point < numberOfPoints; ++point)
+  {
+    for (int k = byCorners.Begins[point], end = k; k < byCorners.Begins[point + 1]; k = end)
+    {
+      std::map<std::vector<int>, int> known;
+      for (; end < byCorners.Begins[point + 1] && byCorners.Items[end].Second == byCorners.Items[k].Second; ++end)
+      {
+        const int p = large[byCorners.Items[end].Item];
+        const bool isAlone = end == k &&
+          (end + 1 == byCorners.Begins[point + 1] || byCorners.Items[end + 1].Second != byCorners.Items[k].Second);
+        firsts[p] = isAlone ? p : known.emplace(SidesInOrder(polygons, p).first, p).first->second;
+      }
+    }
+  }
+  return firsts;
+}
+
 /// Cuts polygons along other diagonals where two of them have one in common, or where it is a side of another.
 class SharedDiagonals
 {
 public:
   /// \param first triangle of each polygon.
-  SharedDiagonals(const PolygonSurface& polygons, const std::vector<int>& first, Triangles& triangles)
+  /// \param same for each polygon the first one with the same sides; the others take no part.
+  SharedDiagonals(
+    const PolygonSurface& polygons, const std::vector<int>& first, const std::vector<int>& same, Triangles& triangles)
     : Polygons(polygons)
     , First(first)
+    , Same(same)
     , Corners(triangles)
   {
   }
@@ -70,7 +124,10 @@ public:
     {
       return;
     }
-    this->CountSides(0, static_cast<int>(this->Corners.rows()), 1);
+    for (int p = 0; p < this->Polygons.Size(); ++p)
+    {
+      this->CountSides(this->First[p], this->Same[p] == p ? this->First[p + 1] : this->First[p], 1);
+    }
     PolygonCutter cut(this->Polygons.Positions, &context);
     cut.Avoid(
       [this](int a, int b)
@@ -125,12 +182,17 @@ private:
         {
           ++last;
         }
+        int number = 0;
         for (int k = first; k < last && last - first > 2; ++k)
         {
-          const int triangle = sides.Items[k].Item / 3;
-          const int polygon = static_cast<int>(
-            std::upper_bound(this->First.begin(), this->First.end(), triangle) - this->First.begin() - 1);
-          if (point != sides.Items[k].Second && !this->HasSide(polygon, point, sides.Items[k].Second))
+          const int polygon = this->PolygonOf(sides.Items[k].Item / 3);
+          number += this->Same[polygon] == polygon;
+        }
+        for (int k = first; k < last && number > 2; ++k)
+        {
+          const int polygon = this->PolygonOf(sides.Items[k].Item / 3);
+          if (this->Same[polygon] == polygon && point != sides.Items[k].Second &&
+            !this->HasSide(polygon, point, sides.Items[k].Second))
           {
             wrong.insert(polygon);
           }
@@ -138,6 +200,12 @@ private:
       }
     }
     return wrong;
+  }
+
+  int PolygonOf(int triangle) const
+  {
+    return static_cast<int>(
+      std::upper_bound(this->First.begin(), this->First.end(), triangle) - this->First.begin() - 1);
   }
 
   bool HasSide(int polygon, int a, int b) const
@@ -157,9 +225,29 @@ private:
 
   const PolygonSurface& Polygons;
   const std::vector<int>& First;
+  const std::vector<int>& Same;
   Triangles& Corners;
   std::unordered_map<std::uint64_t, int> Sides; ///< of triangles, by their points: how many there are
 };
+
+/// Gives polygons the triangles of the first one with the same sides, so that twins are seen as such.
+void CutAlike(
+  const PolygonSurface& polygons, const std::vector<int>& first, const std::vector<int>& same, Triangles& triangles)
+{
+  for (int p = 0; p < polygons.Size(); ++p)
+  {
+    if (same[p] == p)
+    {
+      continue;
+    }
+    const bool isOpposite = SidesInOrder(polygons, p).second != SidesInOrder(polygons, same[p]).second;
+    for (int k = 0; k < first[p + 1] - first[p]; ++k)
+    {
+      const Triangles::RowXpr from = triangles.row(first[same[p]] + k);
+      triangles.row(first[p] + k) << from[0], from[isOpposite ? 2 : 1], from[isOpposite ? 1 : 2];
+    }
+  }
+}
 
 }
 
@@ -203,7 +291,9 @@ CellTriangles Triangulate(PolygonSurface&& polygons, const ExecutionContext& con
   }
   if (first.back() > size || polygons.Corners.size() > 3 * static_cast<std::size_t>(size)) // else all are triangles
   {
-    SharedDiagonals(polygons, first, result.Corners).Replace(context);
+    const std::vector<int> same = FirstWithSameSides(polygons, context);
+    SharedDiagonals(polygons, first, same, result.Corners).Replace(context);
+    CutAlike(polygons, first, same, result.Corners);
   }
   result.Positions = std::move(polygons.Positions);
   return result;

@@ -47,7 +47,7 @@ struct PolygonSurface
 /// their mean normal, and lose their best shaped ear until three corners are left (Meisters 1975). Polygons that cross
 /// themselves are cut, too, into triangles that overlap. Which corner a polygon begins with makes no difference. A diagonal
 /// that is a side or a diagonal of another polygon is replaced, in the order of the polygons, where there is another
-/// one: else four triangles would meet there.
+/// one: else four triangles would meet there. Polygons with the same sides, in either direction, are cut alike.
 /// \throw InvalidInput a corner is out of range; the message names the cell.
 /// \throw Cancelled
 /// Cost: linear in the number of polygons; about n log n in the number of corners of one, as far as its triangles are small.

@@ -134,6 +134,27 @@ TEST(PolygonSurface, DoesNotDependOnTheCornerThatAPolygonBeginsWith)
   }
 }
 
+TEST(PolygonSurface, CutsPolygonsWithTheSameSidesAlike)
+{
+  for (const std::vector<Vector2>& corners :
+    { std::vector<Vector2>{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, Star(9, 17), Star(24, 5) })
+  {
+    const std::vector<int> ring = Upwards(corners.size());
+    const auto expected = Sorted(Triangulate(Polygons(Ring(corners), { ring })).Corners);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      std::vector<int> turned = ring, opposite(ring.rbegin(), ring.rend());
+      std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(k), turned.end());
+      std::rotate(opposite.begin(), opposite.begin() + static_cast<std::ptrdiff_t>(k), opposite.end());
+      const CellTriangles cut = Triangulate(Polygons(Ring(corners), { ring, turned, opposite }));
+      const Eigen::Index size = cut.Corners.rows() / 3;
+      EXPECT_EQ(Sorted(cut.Corners.topRows(size)), expected);
+      EXPECT_EQ(Sorted(cut.Corners.middleRows(size, size)), expected);
+      EXPECT_EQ(Sorted(cut.Corners.bottomRows(size).rowwise().reverse()), expected);
+    }
+  }
+}
+
 TEST(PolygonSurface, KeepsTheCellsOfTriangles)
 {
   const std::vector<Vector2> corners = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 2, 1 } };

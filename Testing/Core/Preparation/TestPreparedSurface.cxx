@@ -212,6 +212,39 @@ TEST(PreparedSurface, OrientsAsMostOfAComponent)
   EXPECT_THROW(Prepared(turned, { Numbering::Spatial, true, true }), InvalidInput);
 }
 
+// Files of finite elements have the sides of solids as cells of their own.
+TEST(PreparedSurface, LetsDoubledQuadsHaveTheFacesOfTheirTwins)
+{
+  const std::vector<std::vector<int>> quads = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
+    { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
+  Points corners(8, 3);
+  corners << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
+  for (int doubled = 1; doubled <= 6; ++doubled)
+  {
+    for (const bool isTurned : { false, true })
+    {
+      std::vector<std::vector<int>> all = quads;
+      for (int k = 0; k < doubled; ++k)
+      {
+        std::vector<int> twin = quads[k];
+        std::rotate(twin.begin(), twin.begin() + 1, twin.end());
+        isTurned ? std::reverse(twin.begin(), twin.end()) : void();
+        all.push_back(twin);
+      }
+      const PreparedSurface prepared = PrepareSurface(Triangulate(Polygons(corners, all)), {});
+      EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+      EXPECT_EQ(prepared.Report.CellsDoubled, doubled);
+      EXPECT_EQ(prepared.Report.EdgesParted + prepared.Report.PointsParted, 0) << prepared.Report.Text();
+      for (int k = 0; k < doubled; ++k)
+      {
+        EXPECT_GT(prepared.Relation.FacesOf(6 + k).size(), 0u);
+      }
+    }
+  }
+  const PreparedSurface quad = PrepareSurface(Triangulate(Polygons(corners, { quads[0], quads[0] })), {});
+  EXPECT_EQ(quad.Mesh.EulerCharacteristic(), 1);
+}
+
 TEST(PreparedSurface, LetsADoubledTriangleHaveTheFaceOfItsTwin)
 {
   const Surface sphere = Icosphere(1);
