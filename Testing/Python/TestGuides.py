@@ -1,5 +1,6 @@
 """Guides in plain Python: numpy arrays that fit, and some that do not."""
 
+import locale
 import unittest
 
 import numpy as np
@@ -149,6 +150,37 @@ class Guides(unittest.TestCase):
     def test_points_are_finite(self):
         self.expect_one_error(
             points_at([(2, 0, 0), (np.nan, 0, 0)], [(0, 0, 1)] * 2), "point 1", "nan", "move")
+
+    def test_weights_have_a_point_in_any_locale(self):
+        """Programs with a window set the locale of their user."""
+        guides = []
+        for x, y in ((1.4, 0.1), (1.4, -0.1)):
+            line = vtkLineSource()
+            line.SetPoint1(x, 0, 0)
+            line.SetPoint2(x, 0.1, y)
+            line.Update()
+            guides.append(line.GetOutput())
+
+        def field():
+            solver = vtkHarmonicFieldSolver()
+            solver.SetInputData(torus(20, 10))
+            for guide in guides:
+                solver.AddInputDataObject(1, guide)
+            solver.SetGuideWeights("1 0.25")
+            solver.Update()
+            return values(solver.GetOutput().GetCellData(), "Direction0")
+
+        expected = field()
+        for name in ("de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "nl_NL.UTF-8"):
+            try:
+                locale.setlocale(locale.LC_ALL, name)
+                break
+            except locale.Error:
+                continue
+        else:
+            self.skipTest("this machine has no locale with a decimal comma")
+        self.addCleanup(locale.setlocale, locale.LC_ALL, "C")
+        np.testing.assert_array_equal(field(), expected)
 
     def test_tables_are_refused(self):
         self.expect_one_error(vtkTable(), "vtkTable", "Table To Points")

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <locale>
 #include <sstream>
 
 namespace dmg
@@ -32,7 +32,8 @@ vtkDataArray* FieldArray(const ChosenArray& choice, vtkDataSet* dataset)
   return isAllowed && !choice.Name.empty() ? dataset->GetFieldData()->GetArray(choice.Name.c_str()) : nullptr;
 }
 
-/// All of a text as numbers, which blanks, commas or semicolons part; empty where something else stands there.
+/// All of a text as numbers, which blanks, commas or semicolons part; empty where something else stands there. Numbers have a point in any
+/// locale.
 std::vector<double> NumbersIn(std::string text)
 {
   std::replace_if(
@@ -41,12 +42,14 @@ std::vector<double> NumbersIn(std::string text)
   std::vector<double> numbers;
   for (std::string word; words >> word;)
   {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    if (*end != '\0')
+    std::istringstream characters(word);
+    characters.imbue(std::locale::classic());
+    double number = 0.0;
+    if (!(characters >> number) || characters.peek() != std::istringstream::traits_type::eof())
     {
       return {};
     }
+    numbers.push_back(number);
   }
   return numbers;
 }
