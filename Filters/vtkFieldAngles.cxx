@@ -1,10 +1,10 @@
 #include "vtkFieldAngles.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Drawing/AnglesOfField.h"
 #include "Mesh/PositiveSide.h"
 

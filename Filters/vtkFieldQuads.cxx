@@ -1,12 +1,12 @@
 #include "vtkFieldQuads.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/CrossesOfSurface.h"
 #include "Adapters/Output/QuadsToPolyData.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
 
 #include "vtkDataArray.h"

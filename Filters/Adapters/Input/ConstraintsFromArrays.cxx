@@ -1,6 +1,6 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
-#include "Adapters/Input/EastAndNorth.h"
+#include "Adapters/View/EastAndNorth.h"
 #include "Constraints/WeightsOfPoints.h"
 #include "Support/Errors.h"
 

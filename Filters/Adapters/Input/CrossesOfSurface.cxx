@@ -1,9 +1,9 @@
 #include "Adapters/Input/CrossesOfSurface.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
 

@@ -1,10 +1,10 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/ChosenVectors.h"
-#include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
+#include "Adapters/View/EastAndNorth.h"
 #include "Directions/CellDirections.h"
 #include "Directions/SignFlips.h"
 #include "Support/Errors.h"

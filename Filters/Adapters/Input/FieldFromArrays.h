@@ -1,11 +1,11 @@
 #ifndef dmgFieldFromArrays_h
 #define dmgFieldFromArrays_h
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"

@@ -1,7 +1,7 @@
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 
-#include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/View/EastAndNorth.h"
 #include "Mesh/PositiveSide.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
