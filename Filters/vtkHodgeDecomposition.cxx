@@ -9,6 +9,7 @@
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/FlatMap.h"
 #include "Adapters/View/GlobeLayout.h"
 #include "Adapters/View/HiddenGaps.h"
@@ -146,7 +147,8 @@ int vtkHodgeDecomposition::RequestData(
       ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, view, context)
       : dmg::FlowFromArrays(view, arrays, dmg::PartOfContext(context, 0.08, 0.1));
 
-    view.StartOutput(this, vtkDataSet::GetData(outputVector, 0));
+    dmg::WarnOfPreparation(this, view.Repair());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
     const dmg::FlowOptions outputs = vtkInternals::OutputsOf(*this, edges != nullptr);
     dmg::Warn(this,
       surface.Decompose(flow, outputs, view, vtkPolyData::GetData(outputVector, 1),

@@ -8,6 +8,7 @@
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/SurfaceView.h"
 #include "Support/Errors.h"
 
@@ -174,7 +175,8 @@ int vtkParallelTransport::RequestData(
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::TransportSurface& surface = this->Internals->Surface;
     surface.SetSurface(view.Prepared(), { this->TimeStep }, dmg::PartOfContext(context, 0.1, 0.2));
-    view.StartOutput(this, vtkDataSet::GetData(outputVector, 0));
+    dmg::WarnOfPreparation(this, view.Repair());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
     dmg::RemoveTransportArrays(view.Output());
 
     dmg::Constraints sources = SourcesFromArray(this, view);

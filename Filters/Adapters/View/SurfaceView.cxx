@@ -68,8 +68,16 @@ void VisitNeighboursOfCell(const TriangleMesh& mesh, const SurfaceRelation& rela
 
 void SurfaceView::Prepare(const PreparationOptions& options, const ExecutionContext& context)
 {
+  this->Kept = PrepareDataSet(this->Data(), options, context);
+  this->Prepare(options, this->Kept->Surface(), this->Kept->Report);
+}
+
+void SurfaceView::Prepare(
+  const PreparationOptions& options, const FramedSurface& surface, const PreparationReport& report)
+{
   this->Options = options;
-  this->Surfaces = PrepareDataSet(this->Data(), options, context);
+  this->Framed.emplace(surface);
+  this->Report = report;
 }
 
 bool SurfaceView::IsPole(const Vector3& place) const
@@ -120,12 +128,11 @@ VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
   return { atVertices, std::move(vectors) };
 }
 
-void SurfaceView::StartOutput(vtkAlgorithm* algorithm, vtkDataSet* output)
+void SurfaceView::StartOutput(vtkDataSet* output)
 {
-  WarnOfPreparation(algorithm, this->Surfaces->Report);
   this->OutputData = output;
   output->ShallowCopy(this->GivenData);
-  AddPreparation(this->Surfaces->Report, this->Options, output->GetFieldData());
+  AddPreparation(this->Report, this->Options, output->GetFieldData());
   for (const auto& step : this->Steps)
   {
     step->Report(output->GetFieldData());

@@ -11,11 +11,11 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkDataSet;
 class vtkPolyData;
 
@@ -56,6 +56,8 @@ public:
   /// Makes the dataset after all steps an oriented manifold.
   /// \throw InvalidInput as PrepareDataSet.
   void Prepare(const PreparationOptions& options, const ExecutionContext& context);
+  /// Takes the surface that somebody has made of that dataset, and keeps longer than the view.
+  void Prepare(const PreparationOptions& options, const FramedSurface& surface, const PreparationReport& report);
 
   /// The user's dataset.
   vtkDataSet* Given() const { return this->GivenData; }
@@ -63,18 +65,20 @@ public:
   vtkDataSet* Data() const { return this->Steps.empty() ? this->GivenData.Get() : this->Steps.back()->Data(); }
 
   /// \pre Prepare; so all others.
-  const std::shared_ptr<const PreparedDataSet>& Prepared() const { return this->Surfaces; }
-  FramedSurface Surface() const { return this->Surfaces->Surface(); }
-  const TriangleMesh& Mesh() const { return this->Surfaces->Geometry.Mesh; }
-  const SurfaceRelation& Relation() const { return this->Surfaces->Relation; }
+  const FramedSurface& Surface() const { return *this->Framed; }
+  const TriangleMesh& Mesh() const { return this->Framed->Geometry.Mesh; }
+  const SurfaceRelation& Relation() const { return this->Framed->Relation; }
+  /// The changes that made the surface a mesh.
+  const PreparationReport& Repair() const { return this->Report; }
+  /// The surface, to be kept. \pre it was prepared here.
+  const std::shared_ptr<const PreparedDataSet>& Prepared() const { return this->Kept; }
 
   /// The vectors of arrays of the user's dataset. At a pole they are the mean of the neighbours.
   /// \throw WrongChoice vectors of 2 numbers, and the surface is not in a plane of constant z; components, and it is.
   VectorsOnSurface Vectors(const VectorArrays& arrays) const;
 
-  /// Makes \p output a copy of the user's dataset, to which arrays are added, and reports there what steps and repair have done. The algorithm
-  /// warns of the repair.
-  void StartOutput(vtkAlgorithm* algorithm, vtkDataSet* output);
+  /// Makes \p output a copy of the user's dataset, to which arrays are added, and reports there what steps and repair have done.
+  void StartOutput(vtkDataSet* output);
   vtkDataSet* Output() const { return this->OutputData; }
   /// The arrays of the user's cells and points. \param elsewhere the number where these are no elements of the surface.
   /// \pre StartOutput.
@@ -94,7 +98,9 @@ private:
   const vtkSmartPointer<vtkDataSet> GivenData;
   std::vector<std::unique_ptr<const SurfaceStep>> Steps;
   PreparationOptions Options;
-  std::shared_ptr<const PreparedDataSet> Surfaces;
+  std::shared_ptr<const PreparedDataSet> Kept;
+  std::optional<FramedSurface> Framed;
+  PreparationReport Report;
   vtkDataSet* OutputData = nullptr;
 };
 
