@@ -258,6 +258,24 @@ class Land(unittest.TestCase):
                 with self.assertWarnsRegex(FieldWarning, "Replace Fill Value With Nan"):
                     hodge(grid, "U")
 
+    def test_a_pulse_in_a_calm_is_no_fill_value(self):
+        """A wave that has not come far: 1e8 times the median and more, with all sizes between."""
+        for a in (1, 10, 40):
+            grid, x, y = image(41, 41, lambda x, y: np.exp(-a * ((x - 3) ** 2 + (y - 3) ** 2))[:, None] * np.stack([1 - y, x, 0 * x], 1), 0.15)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                result = hodge(grid, "U")
+            shares = values(result.GetFieldData(), "FlowShares")
+            self.assertAlmostEqual(shares.sum(), 1)
+
+    def test_values_of_files_are_known_beside_each_other(self):
+        grid, x, y = image(21, 15, lambda x, y: np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
+        flow = np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1)
+        flow[x < 3], flow[x > 18] = -9999, -32767
+        add(grid.GetPointData(), "U", flow)
+        with self.assertWarnsRegex(FieldWarning, "the size 3276"):
+            hodge(grid, "U")
+
 
 class Coasts(unittest.TestCase):
     def test_are_not_crossed_where_the_sea_beside_them_is_open(self):
