@@ -42,7 +42,7 @@ int vtkFieldAngles::RequestData(
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::Points references =
-        dmg::ReferenceVectors(dmg::ChoiceOf(this, 1), given.View, dmg::Vector3(this->Axis));
+        dmg::ReferenceVectors(this, dmg::ChoiceOf(this, 1), given.View, dmg::Vector3(this->Axis));
       const dmg::SidesOfSurface sides = dmg::FindSides(given.View.Mesh());
       dmg::Vector<double> angles = 180.0 / dmg::Pi *
         dmg::AnglesOfField(given.View.Surface().Geometry.Faces, given.Field, references, sides, context);

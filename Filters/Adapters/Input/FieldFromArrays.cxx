@@ -1,10 +1,12 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
 #include "Adapters/Input/ChosenVectors.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Adapters/View/EastAndNorth.h"
+#include "Adapters/View/FillValues.h"
 #include "Directions/CellDirections.h"
 #include "Directions/SignFlips.h"
 #include "Support/Errors.h"
@@ -209,6 +211,13 @@ void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::se
   }
 }
 
+/// Warns of numbers that may be fill values. \throw InvalidInput as SuspectedFillValues.
+void CheckFillValues(vtkAlgorithm* algorithm, const ChosenArray& chosen, vtkDataSet* input, const std::string& what)
+{
+  const vtkIdType tuples = input->GetNumberOfElements(chosen.OnPoints() ? vtkDataObject::POINT : vtkDataObject::CELL);
+  Warn(algorithm, { SuspectedFillValues({ chosen.Array }, tuples, what) });
+}
+
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
 void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
@@ -278,6 +287,10 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, co
       "' has no direction on any triangle, its vectors are zero, not finite or perpendicular to the surface; "
       "choose another");
   }
+  if (NameOf(chosen.Array) != ArrayNames::Direction(0)) // a solver knows no fill values
+  {
+    CheckFillValues(algorithm, chosen, input, "array '" + NameOf(chosen.Array) + "'");
+  }
   CheckLeft(algorithm, chosen, left);
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
@@ -296,12 +309,14 @@ FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const Execution
   return { VertexConnection(surface.Geometry, context), ReadVertices(array, surface, left, context) };
 }
 
-Points ReferenceVectors(const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise)
+Points ReferenceVectors(
+  vtkAlgorithm* algorithm, const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise)
 {
   const TriangleMesh& mesh = view.Mesh();
   Points references(mesh.NumberOfFaces(), 3);
   if (const ChosenArray chosen = FindArray(choice, view.Given(), 3, "reference vectors", "the surface"); chosen.Array)
   {
+    CheckFillValues(algorithm, chosen, view.Given(), "reference vectors");
     Vector3 vector;
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {

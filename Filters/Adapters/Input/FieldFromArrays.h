@@ -55,8 +55,9 @@ FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const Execution
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
-/// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
-Points ReferenceVectors(const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise);
+/// \throw InvalidInput as FindArray and SuspectedFillValues, of which the algorithm warns; a vector is not finite; \p otherwise is zero where it is taken.
+Points ReferenceVectors(
+  vtkAlgorithm* algorithm, const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.

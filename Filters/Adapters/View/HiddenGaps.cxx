@@ -18,22 +18,6 @@ namespace dmg
 namespace
 {
 
-/// The tuples of which a number is NaN.
-std::vector<char> WithNaN(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
-{
-  std::vector<char> isNaN(tuples, 0);
-  for (vtkDataArray* const array : arrays)
-  {
-    std::vector<double> numbers(array->GetNumberOfComponents());
-    for (vtkIdType tuple = 0; tuple < tuples; ++tuple)
-    {
-      array->GetTuple(tuple, numbers.data());
-      isNaN[tuple] |= std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); }) ? 1 : 0;
-    }
-  }
-  return isNaN;
-}
-
 /// The cells that have one of these points.
 std::vector<char> CellsWith(const std::vector<char>& isPoint, vtkDataSet* dataset)
 {
@@ -71,8 +55,8 @@ HiddenGaps::HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const s
 {
   const bool onPoints = vectors.AreOnPoints();
   const std::vector<vtkDataArray*> arrays = vectors.Arrays();
-  const std::vector<char> isNaN =
-    WithNaN(arrays, onPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
+  const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, arrays,
+    onPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
   this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
   const std::vector<char> isHidden = onPoints ? CellsWith(isNaN, dataset) : isNaN;
   for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
