@@ -1,17 +1,15 @@
 #include "vtkFieldAngles.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
-#include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Drawing/AnglesOfField.h"
 #include "Mesh/PositiveSide.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkFieldAngles);
@@ -43,13 +41,11 @@ int vtkFieldAngles::RequestData(
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      vtkDataSet* const input = given.Data;
-      vtkDataSet* const output = vtkDataSet::GetData(outputVector);
       const dmg::Points references =
-        dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, *given.Surface, dmg::Vector3(this->Axis));
-      const dmg::SidesOfSurface sides = dmg::FindSides(given.Surface->Geometry.Mesh);
-      dmg::Vector<double> angles =
-        180.0 / dmg::Pi * dmg::AnglesOfField(given.Surface->Geometry.Faces, given.Field, references, sides, context);
+        dmg::ReferenceVectors(this, dmg::ChoiceOf(this, 1), given.View, dmg::Vector3(this->Axis));
+      const dmg::SidesOfSurface sides = dmg::FindSides(given.View.Mesh());
+      dmg::Vector<double> angles = 180.0 / dmg::Pi *
+        dmg::AnglesOfField(given.View.Surface().Geometry.Faces, given.Field, references, sides, context);
       if (const auto undefined = angles.array().isNaN().count())
       {
         vtkWarningMacro("there is no angle on " << undefined << " of " << angles.size()
@@ -59,12 +55,11 @@ int vtkFieldAngles::RequestData(
         angles = angles.array().isNaN().select(0.0, angles);
       }
       this->Period = 360.0 / given.Field.N();
-      output->ShallowCopy(input);
+      given.View.StartOutput(vtkDataSet::GetData(outputVector));
+      vtkDataSet* const output = given.View.Output();
       dmg::AddPositiveSide(sides, output->GetFieldData());
-      vtkNew<vtkFieldData> arrays;
-      dmg::ArraysOfCells(given.Surface->Geometry.Mesh, given.Surface->Relation, input, arrays, context)
-        .AddOfLargest("Angle", angles.data());
-      output->GetCellData()->SetScalars(arrays->GetArray(0));
+      given.View.OfCells(context).AddOfLargest("Angle", angles.data());
+      output->GetCellData()->SetActiveScalars("Angle");
     });
 }
 

@@ -15,7 +15,8 @@
  * both: the other one is its mean. The array holds one direction of N; the others are those, turned by 2 pi / N. Vectors at
  * points are averaged over the corners of each triangle, as N-th powers. The direction of a tensor of 6 (XX YY ZZ XY YZ XZ) or 9
  * components is that of the largest eigenvalue in the tangent plane, with N = 2 by default. In a plane of constant z, vectors may
- * have 2 components. Those that are not finite are no directions, and a warning counts them. Vectors that flip from element to
+ * have 2 components. Those that are not finite are no directions, and a warning counts them. Fill values are an error or a warning, as
+ * of vtkHodgeDecomposition. Vectors that flip from element to
  * element, as eigenvectors do, are a warning where N is 1: they have no sign.
  *
  * @section vtkFieldDrawingAlgorithm-Execution Execution

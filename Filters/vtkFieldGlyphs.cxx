@@ -39,7 +39,7 @@ int vtkFieldGlyphs::RequestData(
       how.Form = this->Style == Solid ? dmg::GlyphOptions::Shape::Solid : dmg::GlyphOptions::Shape::Strokes;
       how.Width = this->Width;
       how.Lift = this->Lift * given.Diagonal;
-      const dmg::UnfoldedSurface surface(given.Surface->Geometry.Mesh, given.Surface->Geometry.Faces, context);
+      const dmg::UnfoldedSurface surface(given.View.Mesh(), given.View.Surface().Geometry.Faces, context);
       const std::vector<dmg::GlyphPlace> places =
         dmg::PlaceGlyphs(surface, given.Field, where, dmg::PartOfContext(context, 0.0, 0.6));
       const dmg::GlyphsOnSurface glyphs =

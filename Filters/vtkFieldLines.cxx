@@ -48,13 +48,13 @@ int vtkFieldLines::RequestData(
       options.Separation = this->SeparatingDistance * given.Diagonal;
       options.StopRatio = this->SeparatingDistanceRatio;
       options.MinimumLength = this->MinimumLength * options.Separation;
-      const dmg::UnfoldedSurface surface(given.Surface->Geometry.Mesh, given.Surface->Geometry.Faces, context);
+      const dmg::UnfoldedSurface surface(given.View.Mesh(), given.View.Surface().Geometry.Faces, context);
       const dmg::LinesOnSurface lines = dmg::EvenlySpacedLines(surface, given.Field, options, context);
       const auto heads = this->ArrowHeads && given.Field.N() == 1
         ? dmg::ArrowHeadsOf(
-            lines, given.Surface->Geometry.Faces, HeadSpacing * options.Separation, HeadSize * options.Separation)
+            lines, given.View.Surface().Geometry.Faces, HeadSpacing * options.Separation, HeadSize * options.Separation)
         : std::vector<dmg::ArrowHead>();
-      dmg::LinesToPolyData(lines, heads, given.Surface->Geometry.Faces, this->Lift * given.Diagonal, output);
+      dmg::LinesToPolyData(lines, heads, given.View.Surface().Geometry.Faces, this->Lift * given.Diagonal, output);
       if (lines.NumberOfLines() == 0)
       {
         // Lines have other places at another distance, and the longest is half as long there at least. With MinimumLength 0

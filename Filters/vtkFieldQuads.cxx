@@ -1,12 +1,12 @@
 #include "vtkFieldQuads.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/CrossesOfSurface.h"
 #include "Adapters/Output/QuadsToPolyData.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
 
 #include "vtkDataArray.h"
@@ -23,10 +23,10 @@ namespace
 {
 
 /// The chosen relative lengths of edges, by face; empty where none are chosen.
-dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, vtkDataSet* input, const dmg::CrossesOfSurface& surface)
+dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceView& view)
 {
-  const dmg::ChosenArray chosen = dmg::FindArray(choice, input, 1, "sizes", "the surface");
-  const dmg::TriangleMesh& mesh = surface.Surface->Geometry.Mesh;
+  const dmg::ChosenArray chosen = dmg::FindArray(choice, view.Given(), 1, "sizes", "the surface");
+  const dmg::TriangleMesh& mesh = view.Mesh();
   dmg::Vector<double> sizes(chosen.Array ? mesh.NumberOfFaces() : 0);
   for (int face = 0; face < sizes.size(); ++face)
   {
@@ -34,8 +34,7 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, vtkDataSet* input, c
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
       sum += chosen.Array->GetComponent(
-        chosen.OnPoints() ? surface.Surface->Relation.PointOf(mesh.Tail(h)) : surface.Surface->Relation.CellOf(face),
-        0);
+        chosen.OnPoints() ? view.Relation().PointOf(mesh.Tail(h)) : view.Relation().CellOf(face), 0);
     }
     sizes[face] = sum / 3.0;
   }
@@ -101,24 +100,21 @@ int vtkFieldQuads::RequestData(
     options.AlignSharpEdges = this->AlignSharpEdges;
     options.FeatureAngle = this->FeatureAngle;
     options.SmoothingSteps = this->SmoothingSteps;
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const dmg::CrossesOfSurface surface =
-      dmg::CrossesOf(this, input, this->NumberOfDirections, options, dmg::PartOfContext(context, 0.0, 0.3));
-    options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), input, surface);
-    const dmg::QuadMesh quads = dmg::MakeQuads(surface.Surface->Geometry, surface.Powers, options,
-      dmg::PartOfContext(context, 0.3, 1.0), surface.Surface->Relation.Names());
-    dmg::MapToPolyData(quads, surface, input, output(1));
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    const dmg::Vector<dmg::Complex> crosses =
+      dmg::CrossesOf(this, view, this->NumberOfDirections, options, dmg::PartOfContext(context, 0.0, 0.3));
+    options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
+    const dmg::QuadMesh quads = dmg::MakeQuads(
+      view.Surface().Geometry, crosses, options, dmg::PartOfContext(context, 0.3, 1.0), view.Relation().Names());
+    dmg::MapToPolyData(quads, view, output(1));
     if (!quads.Report.Error.empty())
     {
       vtkErrorMacro(<< dmg::InPanelWords(quads.Report.Error));
       return;
     }
-    dmg::QuadsToPolyData(quads, surface, input, output(0));
+    dmg::QuadsToPolyData(quads, view, output(0));
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
-    if (const std::string sentence = SentenceOf(quads.Report, quads.Quads.size()); !sentence.empty())
-    {
-      vtkWarningMacro(<< sentence);
-    }
+    dmg::Warn(this, { SentenceOf(quads.Report, quads.Quads.size()) });
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

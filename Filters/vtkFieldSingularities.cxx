@@ -18,13 +18,13 @@ namespace
 
 void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& given, const dmg::FieldTopology& topology)
 {
-  const dmg::TriangleMesh& mesh = given.Surface->Geometry.Mesh;
+  const dmg::TriangleMesh& mesh = given.View.Mesh();
   const std::vector<int> vertices =
     dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), !given.IsAtPoints);
   if (!vertices.empty())
   {
     vtkWarningWithObjectMacro(
-      algorithm, << "A singularity at " << given.Surface->Relation.Names().Vertex(vertices.front())
+      algorithm, << "A singularity at " << given.View.Relation().Names().Vertex(vertices.front())
                  << (vertices.size() > 1 ? " and others look" : " looks")
                  << " like several of smaller indices and both signs, as the field turns by more than "
                  << dmg::ShortText(180.0 / given.Field.N())
@@ -34,10 +34,11 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
 
 dmg::FieldTopology TopologyOf(const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
 {
-  const dmg::TriangleMesh& mesh = given.Surface->Geometry.Mesh;
+  const dmg::TriangleMesh& mesh = given.View.Mesh();
   if (!given.IsAtPoints)
   {
-    return dmg::TopologyOfField(mesh, given.Surface->Geometry.Faces, given.Field.First(), given.Field.N(), context);
+    return dmg::TopologyOfField(
+      mesh, given.View.Surface().Geometry.Faces, given.Field.First(), given.Field.N(), context);
   }
   const dmg::FieldAtVertices at = dmg::ReadFieldAtPoints(given, context);
   return dmg::TopologyOfVertexField(mesh, at.Connection, at.First, given.Field.N(), context);
@@ -62,8 +63,8 @@ int vtkFieldSingularities::RequestData(
       const dmg::FieldTopology topology = TopologyOf(given, context);
       WarnOfUnresolved(this, given, topology);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
-      dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0), this->SphereRadius * given.Data->GetLength(),
-        vtkPolyData::GetData(outputVector, 3));
+      dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
+        this->SphereRadius * given.View.Given()->GetLength(), vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
     });

@@ -1,6 +1,5 @@
 #include "vtkHarmonicFieldSolver.h"
 
-#include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Input/ProblemFromInputs.h"
 #include "Adapters/Output/FieldOutput.h"
 #include "Adapters/Output/ReportToArrays.h"
@@ -12,7 +11,7 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/Surface/SolverOfSurface.h"
-#include "Discretisations/MakeDiscretisation.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Mesh/TriangleSoup.h"
 #ifdef DMG_PETSC
 #include "Adapters/Input/FieldOfPieces.h"
@@ -74,6 +73,34 @@ public:
     return counts;
   }
 
+  /// Collective. \return the reason why the outputs are not made in pieces; empty where they are.
+  std::string MakeInPieces(vtkHarmonicFieldSolver* filter, const dmg::RanksOfPipeline& ranks,
+    vtkInformationVector** inputs, vtkInformationVector* outputs, const dmg::ExecutionContext& context)
+  {
+#ifdef DMG_PETSC
+    dmg::FieldProperties properties;
+    ranks.Together([&] { properties = dmg::PropertiesOf(filter, this->GuideChoices); });
+    const dmg::FieldOfPieces field =
+      dmg::SolveInPieces(filter, properties, this->Pieces, ranks, inputs, dmg::PartOfContext(context, 0.0, 0.95));
+    if (field.ReasonToGather.empty())
+    {
+      this->Followed = field.Followed;
+      ranks.Together(
+        [&]
+        {
+          dmg::SurfaceView view(field.Inputs.Surface);
+          view.Prepare(properties.Preparation, this->Pieces.Surface(), this->Pieces.Preparation());
+          dmg::WriteField(view, *field.Solution, this->Pieces.SetupSeconds(*field.Solution), field.Inputs, properties,
+            field.Followed, outputs, dmg::PartOfContext(context, 0.95, 1.0));
+        });
+    }
+    return field.ReasonToGather;
+#else
+    (void)filter, (void)ranks, (void)inputs, (void)outputs, (void)context;
+    return "the filters were built without DMG_PETSC, by which power fields at points and functions stay in pieces";
+#endif
+  }
+
   dmg::ConstraintArrays GuideChoices; ///< SetGuideArrayToProcess
   std::string Followed;
 #ifdef DMG_PETSC
@@ -85,6 +112,21 @@ private:
   dmg::StageCounts Former; ///< of leaves that are forgotten
   int OpenExecutions = 0;
 };
+
+namespace
+{
+
+void WarnOfSoup(vtkAlgorithm* algorithm, const dmg::TriangleMesh& mesh)
+{
+  if (dmg::IsSoup(mesh))
+  {
+    vtkWarningWithObjectMacro(algorithm,
+      "most triangles share no points with those beside them, so each is a surface of its own; apply "
+      "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");
+  }
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
@@ -267,80 +309,30 @@ int vtkHarmonicFieldSolver::RequestData(
   {
     // Properties are checked before anything is read.
     const dmg::FieldProperties properties = dmg::PropertiesOf(this, this->Internals->GuideChoices);
-    const dmg::PreparationOptions& preparation = properties.Preparation;
-    dmg::FieldProblem problem = properties.Problem;
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const std::string digest = dmg::ContentDigest(input, preparation);
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    const std::string digest = dmg::ContentDigest(view.Data(), properties.Preparation);
     vtkInternals::Leaf& leaf = this->Internals->Of(digest);
     dmg::SolverOfSurface& kept = leaf.Solver;
-    const dmg::FieldInputs inputs = dmg::InputsOf(properties, input, whole);
-    if (!inputs.Singularities.Data.empty())
-    {
-      dmg::WithSingularitiesAtVertices(problem.Options.Field); // throws where there are none
-    }
-    kept.SetSurface(input, digest, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
-    dmg::WarnOfPreparation(this, kept.Preparation());
-    if (dmg::IsSoup(kept.Surface().Geometry.Mesh))
-    {
-      vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
-                      "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");
-    }
-    const dmg::FramedSurface surface = kept.Surface();
-    const dmg::UnusableDirections unusable = dmg::ReadInputs(inputs, &surface, problem);
-    if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
-    {
-      dmg::CheckPrescribes(inputs);
-    }
-    if (!inputs.Singularities.Data.empty())
-    {
-      problem.Singularities =
-        dmg::BringToSurface(inputs.Singularities, problem.Options.Field.N, kept.Solver().Places());
-    }
-    if (!unusable.AreNone())
-    {
-      vtkWarningMacro(<< dmg::TextOf(unusable));
-    }
-    for (const std::string& text : dmg::WarningsOf(inputs.Guides))
-    {
-      vtkWarningMacro(<< text);
-    }
+    const dmg::FieldInputs inputs = dmg::InputsOf(properties, view.Given(), whole);
+    kept.SetSurface(
+      view.Data(), digest, properties.Problem.Options, properties.Preparation, dmg::PartOfContext(context, 0.0, 0.1));
+    view.Prepare(properties.Preparation, kept.Surface(), kept.Preparation());
+    dmg::WarnOfPreparation(this, view.Repair());
+    WarnOfSoup(this, view.Mesh());
+
+    dmg::FieldProblem problem = dmg::ProblemOf(this, properties, inputs, view, kept.Solver());
     problem.Guides.MayMiss = this->Internals->IsInLeaf();
     const dmg::Field& field =
-      kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Relation.Names());
+      kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), view.Relation().Names());
     leaf.Bytes = field.Report.Bytes;
-    for (const std::string& text : field.Warnings)
-    {
-      vtkWarningMacro(<< dmg::InPanelWords(text));
-    }
+    dmg::Warn(this, field.Warnings);
     this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
-    dmg::WriteField(
-      kept, field, inputs, properties, this->Internals->Followed, outputVector, dmg::PartOfContext(context, 0.95, 1.0));
+    dmg::WriteField(view, field, kept.SetupSeconds(field), inputs, properties, this->Internals->Followed, outputVector,
+      dmg::PartOfContext(context, 0.95, 1.0));
   };
-  const auto makeInPieces = [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces,
-                              const dmg::ExecutionContext& context) -> std::string
-  {
-#ifdef DMG_PETSC
-    dmg::FieldProperties properties;
-    ranks.Together([&] { properties = dmg::PropertiesOf(this, this->Internals->GuideChoices); });
-    dmg::SolverOfPieces& kept = this->Internals->Pieces;
-    const dmg::FieldOfPieces field =
-      dmg::SolveInPieces(this, properties, kept, ranks, pieces, dmg::PartOfContext(context, 0.0, 0.95));
-    if (field.ReasonToGather.empty())
-    {
-      this->Internals->Followed = field.Followed;
-      ranks.Together(
-        [&]
-        {
-          dmg::WriteField(kept, *field.Solution, field.Inputs, properties, field.Followed, outputVector,
-            dmg::PartOfContext(context, 0.95, 1.0));
-        });
-    }
-    return field.ReasonToGather;
-#else
-    (void)ranks, (void)pieces, (void)context;
-    return "the filters were built without DMG_PETSC, by which power fields at points and functions stay in pieces";
-#endif
-  };
+  const auto makeInPieces =
+    [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces, const dmg::ExecutionContext& context)
+  { return this->Internals->MakeInPieces(this, ranks, pieces, outputVector, context); };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);
 }
 

@@ -8,10 +8,12 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
-#include "Adapters/Surface/FlatMap.h"
-#include "Adapters/Surface/GlobeLayout.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/FlatMap.h"
+#include "Adapters/View/GlobeLayout.h"
+#include "Adapters/View/HiddenGaps.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Flows/PeriodicSurfaces.h"
 
 #include "vtkDataSet.h"
@@ -25,24 +27,49 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <optional>
-#include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkHodgeDecomposition);
+
+namespace
+{
+
+constexpr double AxisOfMaps[3] = { 0.0, 0.0, 1.0 };
+
+}
 
 class vtkHodgeDecomposition::vtkInternals
 {
 public:
   dmg::FlowSurface Surface;
+
+  static void CheckProperties(const vtkHodgeDecomposition& filter)
+  {
+    dmg::CheckRanges({ { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
+      { "Boundary", filter.Boundary, Closed, Open }, { "Edge Values", filter.EdgeValues, Integrals, Components },
+      { "Solver", filter.Solver, Automatic, ConjugateGradients }, { "Expected Solves", filter.ExpectedSolves, 1 },
+      { "Number Of Contours", filter.NumberOfContours, 0, 1000 }, { "Lift", filter.Lift, 0, 0.1 },
+      { "Reference Boundary", filter.ReferenceBoundary, 0 }, { "Length Scale", filter.LengthScale, 1e-30, 1e30 } });
+  }
+
+  /// Each time of the input is a flow, of two solves.
+  static dmg::SolverOptions SolverOf(const vtkHodgeDecomposition& filter, vtkInformation* input)
+  {
+    dmg::SolverOptions options;
+    options.Kind = filter.Solver == Cholesky ? dmg::SolverKind::Cholesky
+      : filter.Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
+                                             : dmg::SolverKind::Automatic;
+    const int timeSteps = input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    options.ExpectedSolves = std::max(filter.ExpectedSolves, 2 * timeSteps);
+    return options;
+  }
+
+  static dmg::FlowOptions OutputsOf(const vtkHodgeDecomposition& filter, bool isOfEdges)
+  {
+    return { { filter.GradientPart, filter.RotationalPart, filter.HarmonicPart, filter.SteeringFlow },
+      filter.Derivatives, filter.LengthScale, filter.NumberOfContours, filter.ReferenceBoundary, filter.Lift,
+      isOfEdges && filter.EdgeValues == Components };
+  }
 };
-
-namespace
-{
-
-constexpr double DefaultAxis[3] = { 0.0, 0.0, 1.0 }; // of maps
-
-}
 
 //------------------------------------------------------------------------------
 vtkHodgeDecomposition::vtkHodgeDecomposition()
@@ -96,82 +123,38 @@ int vtkHodgeDecomposition::FillOutputPortInformation(int port, vtkInformation* i
 int vtkHodgeDecomposition::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({ { "Coordinates", this->Coordinates, Space, LongitudeAndLatitude },
-      { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
-      { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
-      { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
-      { "Reference Boundary", this->ReferenceBoundary, 0 }, { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
-    dmg::SolverOptions options;
-    options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
-      : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
-                                            : dmg::SolverKind::Automatic;
-    const int timeSteps = whole[0]->GetInformationObject(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-    options.ExpectedSolves = std::max(this->ExpectedSolves, 2 * timeSteps);
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const bool isMap = this->Coordinates == LongitudeAndLatitude;
-    const vtkSmartPointer<vtkDataSet> inSpace = isMap ? dmg::GlobeOfMap(input) : input;
+    vtkInternals::CheckProperties(*this);
     vtkDataSet* const edges = whole[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(whole[1]) : nullptr;
-    std::optional<dmg::ChosenFlow> chosen;
-    if (!edges)
-    {
-      chosen.emplace(this, inSpace, dmg::Vector3(isMap ? DefaultAxis : this->Axis), isMap);
-    }
-    const bool isGlobe = isMap || (chosen && chosen->IsOnGlobe());
-    const dmg::Vector3 axis(isMap ? DefaultAxis : this->Axis);
-    std::optional<dmg::GlobeLayout> layout;
-    if (isGlobe)
-    {
-      layout.emplace(inSpace, axis);
-    }
-    const vtkSmartPointer<vtkDataSet> laidOut = layout ? layout->Globe() : inSpace.Get();
-    const vtkSmartPointer<vtkDataSet> withFlow = chosen ? chosen->WithFlow(laidOut) : laidOut;
-    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
+    const bool isMap = this->Coordinates == LongitudeAndLatitude;
+    const dmg::Vector3 axis(isMap ? AxisOfMaps : this->Axis);
+
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    const auto arrays = edges ? dmg::VectorArrays() : dmg::ArraysOfFlow(this, view.Given(), axis);
+    const bool isGlobe = isMap || arrays.AreComponents();
+    view.TakeIf<dmg::HiddenGaps>(!edges, arrays, "flow");
+    view.TakeIf<dmg::FlatMap>(isMap);
+    view.TakeIf<dmg::GlobeLayout>(isGlobe, axis);
+    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
+
     dmg::FlowSurface& surface = this->Internals->Surface;
-    surface.SetSurface(withFlow, preparation, options, isGlobe, dmg::PartOfContext(context, 0.0, 0.1));
-    const std::vector<char> isOpen = dmg::OpenEdgesOf(dmg::ChoiceOf(this, 3), input, surface.Surface());
-    const dmg::FlowBoundary kind = this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
-    surface.SetBoundary(isOpen.empty() ? dmg::OpenEdges(surface.Surface().Geometry.Mesh, kind) : isOpen);
-    const dmg::FaceFlow flow = chosen ? chosen->On(surface.Surface(), dmg::PartOfContext(context, 0.05, 0.1))
-                                      : dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals },
-                                          input, surface.Surface(), context);
-    const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart, this->SteeringFlow },
-      this->Derivatives, this->LengthScale, this->NumberOfContours, this->ReferenceBoundary, this->Lift,
-      edges && this->EdgeValues == Components };
-    dmg::WarnOfPreparation(this, surface.Preparation());
-    output->ShallowCopy(input);
-    dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
-    vtkPolyData* const streamlines = vtkPolyData::GetData(outputVector, 1);
-    vtkPolyData* const boundaries = vtkPolyData::GetData(outputVector, 2);
-    std::vector<std::string> warnings =
-      surface.Decompose(flow, wanted, withFlow, output, streamlines, boundaries, dmg::PartOfContext(context, 0.1, 1.0));
-    const dmg::TriangleMesh& mesh = surface.Surface().Geometry.Mesh;
-    warnings.push_back(dmg::WarningOfFoldedBox(mesh));
-    if (isGlobe)
-    {
-      layout->CopyToTwins(output, dmg::NamesOfFlowArrays());
-      warnings.push_back(dmg::WarningOfSlit(mesh, axis));
-    }
-    if (isMap)
-    {
-      dmg::TurnToMap(input, output, dmg::NamesOfParts());
-      dmg::TakeLinesToMap(input, streamlines);
-      dmg::TakeLinesToMap(input, boundaries);
-    }
-    if (chosen)
-    {
-      chosen->MarkCellsWithoutFlow(output, surface.Surface().Relation, dmg::NamesOfFlowArrays());
-      warnings.push_back(chosen->Warning());
-    }
-    for (const std::string& warning : warnings)
-    {
-      if (!warning.empty())
-      {
-        vtkWarningMacro(<< dmg::InPanelWords(warning));
-      }
-    }
+    const dmg::SolverOptions solver = vtkInternals::SolverOf(*this, whole[0]->GetInformationObject(0));
+    surface.SetSurface(view.Prepared(), solver, isGlobe, dmg::PartOfContext(context, 0.05, 0.08));
+    const auto boundary = this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
+    surface.SetBoundary(dmg::OpenEdgesOf(dmg::ChoiceOf(this, 3), boundary, view));
+    const dmg::FaceFlow flow = edges
+      ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, view, context)
+      : dmg::FlowFromArrays(view, arrays, dmg::PartOfContext(context, 0.08, 0.1));
+
+    dmg::WarnOfPreparation(this, view.Repair());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
+    const dmg::FlowOptions outputs = vtkInternals::OutputsOf(*this, edges != nullptr);
+    dmg::Warn(this,
+      surface.Decompose(flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
+        vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.1, 1.0)));
+    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
+    dmg::Warn(this, view.Warnings());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

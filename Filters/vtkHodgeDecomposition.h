@@ -19,7 +19,8 @@
  *   the neighbours.
  *
  * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
- * that can only be fill values, infinite or 1e8 times the median, are an error. Vectors of a cell stand at the mean of its corners.
+ * that can only be fill values are an error: infinite ones, and those of files (1e20, 9.96921e36) at 1e8 times the median. Vectors of a
+ * cell stand at the mean of its corners.
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the

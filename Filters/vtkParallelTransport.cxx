@@ -9,6 +9,7 @@
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Support/Errors.h"
 
 #include "vtkCommand.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <string>
 
 vtkStandardNewMacro(vtkParallelTransport);
 
@@ -33,7 +33,6 @@ class vtkParallelTransport::vtkInternals
 {
 public:
   dmg::TransportSurface Surface;
-  int Places = 0; ///< of maps in this execution: one for each leaf of a composite dataset
 
   /// The executions of leaves begin and end within that of their composite dataset.
   void BeginExecution()
@@ -45,7 +44,25 @@ public:
   }
   void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
 
+  /// Direction at the point of the map, which becomes PointOnSurface in the first leaf.
+  dmg::PlacedDirection Place(vtkParallelTransport& filter)
+  {
+    const auto place = filter.UsePoint ? std::make_optional<dmg::Vector3>(filter.Point) : std::nullopt;
+    const dmg::PlacedDirection point = this->Surface.Place(place, dmg::Vector3(filter.Direction));
+    if (this->Places++ == 0)
+    {
+      std::copy_n(point.Position.data(), 3, filter.PointOnSurface);
+    }
+    if (!point.IsGiven)
+    {
+      dmg::Warn(&filter,
+        { "Direction is perpendicular to the surface at the point of the map; another direction takes its place." });
+    }
+    return point;
+  }
+
 private:
+  int Places = 0; ///< of maps in this execution: one for each leaf of a composite dataset
   int OpenExecutions = 0;
 };
 
@@ -54,28 +71,43 @@ namespace
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// The vectors of an array that count as sources; none where no array is chosen.
-/// \param warnings for the user.
+/// The vectors of the chosen array that count as sources; none where no array is chosen.
 /// \throw dmg::InvalidInput there is no such array, or none of its vectors counts.
-dmg::Constraints SourcesFromArray(
-  const dmg::ChosenArray& choice, vtkDataSet* input, const dmg::FramedSurface& surface, std::string& warning)
+dmg::Constraints SourcesFromArray(vtkAlgorithm* algorithm, const dmg::SurfaceView& view)
 {
   dmg::ConstraintArrays choices;
-  choices.Vectors = choice;
-  if (!dmg::FindArray(choice, input, 3, "vectors", "the surface").Array)
+  choices.Vectors = dmg::ChoiceOf(algorithm, 0);
+  if (!dmg::FindArray(choices.Vectors, view.Given(), 3, "vectors", "the surface").Array)
   {
     return {};
   }
   dmg::UnusableDirections unusable;
-  dmg::Constraints sources = dmg::ConstraintsFromArrays(choices, input, surface, unusable);
+  dmg::Constraints sources = dmg::ConstraintsFromArrays(choices, view.Given(), view.Surface(), unusable);
   if (sources.AreEmpty())
   {
-    throw dmg::InvalidInput("no vector of the array '" + choice.Name +
+    throw dmg::InvalidInput("no vector of the array '" + choices.Vectors.Name +
       "' is finite, not zero and along the surface; give one, or choose no array to carry Direction from Point");
   }
   unusable.NotFinite = 0; // as where nothing is given
-  warning = unusable.AreNone() ? "" : dmg::TextOf(unusable);
+  dmg::Warn(algorithm, { unusable.AreNone() ? "" : dmg::TextOf(unusable) });
   return sources;
+}
+
+/// Draws the vectors that were carried.
+void DrawArrows(vtkAlgorithm* algorithm, vtkDataSet* surface, double distance, vtkPolyData* output,
+  const dmg::ExecutionContext& context)
+{
+  const auto carried = vtk::TakeSmartPointer(surface->NewInstance());
+  carried->ShallowCopy(surface); // the pipeline of the glyphs writes into the data what was asked for
+  vtkNew<vtkFieldGlyphs> arrows;
+  arrows->SetInputData(carried);
+  arrows->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, dmg::ArrayNames::TransportedVectors);
+  arrows->SetSeparatingDistance(distance);
+  if (!dmg::UpdateInside(algorithm, arrows, context))
+  {
+    throw dmg::InvalidInput("the arrows could not be drawn, as the warning before says; raise Arrow Distance");
+  }
+  output->ShallowCopy(arrows->GetOutput());
 }
 
 }
@@ -135,68 +167,36 @@ int vtkParallelTransport::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   std::fill_n(this->PointOnSurface, 3, NotANumber);
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 },
       { "Arrow Distance", this->ArrowDistance, 0.0005, 1 }, { "Number Of Circles", this->NumberOfCircles, 0, 1000 } });
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::TransportSurface& surface = this->Internals->Surface;
-    surface.SetSurface(input, preparation, { this->TimeStep }, dmg::PartOfContext(context, 0.0, 0.2));
-    dmg::WarnOfPreparation(this, surface.Preparation());
-    output->ShallowCopy(input);
-    dmg::RemoveTransportArrays(output);
-    dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
-    const auto warn = [this](const std::string& warning) { vtkWarningMacro(<< dmg::InPanelWords(warning)); };
+    surface.SetSurface(view.Prepared(), { this->TimeStep }, dmg::PartOfContext(context, 0.1, 0.2));
+    dmg::WarnOfPreparation(this, view.Repair());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
+    dmg::RemoveTransportArrays(view.Output());
 
-    std::string warning;
-    dmg::Constraints sources = SourcesFromArray(dmg::ChoiceOf(this, 0), input, surface.Surface(), warning);
-    if (!warning.empty())
-    {
-      warn(warning);
-    }
+    dmg::Constraints sources = SourcesFromArray(this, view);
     const bool isPointSource = this->AddPoint || sources.AreEmpty();
     if (isPointSource || this->LogarithmicMap)
     {
-      const std::optional<dmg::Vector3> place =
-        this->UsePoint ? std::make_optional<dmg::Vector3>(this->Point) : std::nullopt;
-      const dmg::PlacedDirection point = surface.Place(place, dmg::Vector3(this->Direction));
-      if (this->Internals->Places++ == 0)
-      {
-        std::copy_n(point.Position.data(), 3, this->PointOnSurface);
-      }
-      if (!point.IsGiven)
-      {
-        warn("Direction is perpendicular to the surface at the point of the map; another direction takes its place.");
-      }
+      const dmg::PlacedDirection point = this->Internals->Place(*this);
       if (isPointSource)
       {
         sources.AtVertices.push_back({ point.Vertex, point.Direction, 1.0 });
       }
       if (this->LogarithmicMap)
       {
-        surface.AddMap(point, this->TextureSize, this->NumberOfCircles, input, output,
-          vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.2, 0.7));
+        surface.AddMap(point, this->TextureSize, this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2),
+          dmg::PartOfContext(context, 0.2, 0.7));
       }
     }
-    for (const std::string& text : surface.AddVectors(sources, input, output, dmg::PartOfContext(context, 0.7, 0.9)))
-    {
-      warn(text);
-    }
-    // A copy: the pipeline of the glyphs writes into the data what was asked for.
-    const auto carried = vtk::TakeSmartPointer(output->NewInstance());
-    carried->ShallowCopy(output);
-    vtkNew<vtkFieldGlyphs> arrows;
-    arrows->SetInputData(carried);
-    arrows->SetInputArrayToProcess(
-      0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, dmg::ArrayNames::TransportedVectors);
-    arrows->SetSeparatingDistance(this->ArrowDistance);
-    if (!dmg::UpdateInside(this, arrows, dmg::PartOfContext(context, 0.9, 1.0)))
-    {
-      throw dmg::InvalidInput("the arrows could not be drawn, as the warning before says; raise Arrow Distance");
-    }
-    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(arrows->GetOutput());
+    dmg::Warn(this, surface.AddVectors(sources, view, dmg::PartOfContext(context, 0.7, 0.9)));
+    DrawArrows(this, view.Output(), this->ArrowDistance, vtkPolyData::GetData(outputVector, 1),
+      dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

@@ -12,7 +12,8 @@
  * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it. The sources are one of these, or both (AddPoint):
  *
  * - an array of vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default none. A vector counts
- *   where it is finite and not zero; its tangential part is carried, with its length.
+ *   where it is finite and not zero; its tangential part is carried, with its length. Fill values are an error or a warning, as of
+ *   vtkHodgeDecomposition.
  * - Direction at a point of the surface, where no array is chosen or where AddPoint is on: the one that is nearest to Point or, as long as
  *   nobody has set Point, one that the filter chooses (UsePoint).
  *

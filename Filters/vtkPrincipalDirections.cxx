@@ -5,14 +5,12 @@
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
-#include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-
-#include <utility>
 
 vtkStandardNewMacro(vtkPrincipalDirections);
 
@@ -20,21 +18,18 @@ vtkStandardNewMacro(vtkPrincipalDirections);
 int vtkPrincipalDirections::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const dmg::PreparationOptions options{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
-    const auto prepared = dmg::PrepareDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
-    dmg::WarnOfPreparation(this, prepared->Report);
-    const dmg::FramedMesh& framed = prepared->Geometry;
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.3));
+    dmg::WarnOfPreparation(this, view.Repair());
+    const dmg::FramedMesh& framed = view.Surface().Geometry;
     dmg::PrincipalDirections found =
       dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.85));
     dmg::CombSigns(framed, found, dmg::PartOfContext(context, 0.85, 0.9));
-    output->ShallowCopy(input);
-    dmg::AddPreparation(prepared->Report, options, output->GetFieldData());
-    dmg::AddCurvatures(prepared->Surface(), found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
+    view.StartOutput(vtkDataSet::GetData(outputVector));
+    dmg::AddCurvatures(view, found, dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

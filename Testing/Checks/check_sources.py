@@ -86,7 +86,7 @@ ARROWS = {
 ENTRANCE = "FieldSolver.h"
 
 # The rooms of Filters/Adapters, lowest first: each may include itself and those before it.
-ADAPTERS = ["Data", "Ranks", "Pipeline", "Surface", "Input", "Output"]
+ADAPTERS = ["Data", "Ranks", "Pipeline", "Surface", "View", "Input", "Output"]
 
 # A line that asks which discretisation a field has.
 ASKS_KIND = re.compile(r"\bDiscretisationKind::|Field\.Kind\s*[!=]=|[!=]=\s*[\w.]*Field\.Kind\b")

@@ -8,7 +8,8 @@ import warnings
 import numpy as np
 from directionalmultigrid import (FieldError, FieldWarning, hodge, smooth_field, transport, update, write_raw_field, write_rosy,
                                   write_sharp)
-from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldAngles, vtkHodgeDecomposition, vtkPrincipalDirections
+from directionalmultigrid.vtkFiltersDirectionalFields import (vtkFieldAngles, vtkFieldLines, vtkHarmonicFieldSolver, vtkHodgeDecomposition,
+                                                             vtkPrincipalDirections)
 from surfaces import add, surface, values
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -257,6 +258,81 @@ class Land(unittest.TestCase):
             else:
                 with self.assertWarnsRegex(FieldWarning, "Replace Fill Value With Nan"):
                     hodge(grid, "U")
+
+    def test_a_pulse_in_a_calm_is_no_fill_value(self):
+        """A wave that has not come far: 1e8 times the median and more, with all sizes between."""
+        for a in (1, 10, 40):
+            grid, x, y = image(41, 41, lambda x, y: np.exp(-a * ((x - 3) ** 2 + (y - 3) ** 2))[:, None] * np.stack([1 - y, x, 0 * x], 1), 0.15)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                result = hodge(grid, "U")
+            shares = values(result.GetFieldData(), "FlowShares")
+            self.assertAlmostEqual(shares.sum(), 1)
+
+    def test_values_of_files_are_known_beside_each_other(self):
+        grid, x, y = image(21, 15, lambda x, y: np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
+        flow = np.stack([np.sin(y / 5), np.cos(x / 5), 0 * x], 1)
+        flow[x < 3], flow[x > 18] = -9999, -32767
+        add(grid.GetPointData(), "U", flow)
+        with self.assertWarnsRegex(FieldWarning, "the size 3276"):
+            hodge(grid, "U")
+
+
+class FillValues(unittest.TestCase):
+    """20 values among 961, which all filters that read vectors would follow."""
+    def expect(self, fill, run):
+        if fill > 1e15:
+            with self.assertRaisesRegex(FieldError, "as fill values have"):
+                run()
+        else:
+            with self.assertWarnsRegex(FieldWarning, "20 values of .* have the size 9999. If that is a fill value"):
+                run()
+
+    def setUp(self):
+        self.grid, x, y = image(31, 31, lambda x, y: np.stack([1 + 0 * x, 0 * x, 0 * x], 1))
+        self.holes = np.random.default_rng(7).choice(len(x), 20, replace=False)
+
+    def filled(self, name, fill, components):
+        numbers = np.zeros((961, components))
+        numbers[:, 0] = 1
+        numbers[self.holes, 0] = fill
+        add(self.grid.GetPointData(), name, numbers if components > 1 else numbers[:, 0])
+
+    def test_are_refused_or_told_by_all_filters(self):
+        for fill in (1e20, 9.96921e36, -9999.0):
+            self.filled("D", fill, 3)
+            self.filled("f", fill, 1)
+            self.expect(fill, lambda: hodge(self.grid, "D"))
+            self.expect(fill, lambda: smooth_field(self.grid, n=1, Directions="D"))
+            self.expect(fill, lambda: transport(self.grid, "D"))
+            for drawing in (vtkFieldLines(), vtkFieldAngles()):
+                drawing.SetInputArrayToProcess(0, 0, 0, 0, "D")
+                self.expect(fill, lambda: self.updated(drawing, self.grid))
+            angles = vtkFieldAngles()
+            angles.SetInputArrayToProcess(1, 0, 0, 0, "D")
+            self.expect(fill, lambda: self.updated(angles, smooth_field(self.grid)))
+            poisson = vtkHarmonicFieldSolver()
+            poisson.SetDiscretisation(poisson.ScalarFunction)
+            poisson.SetInputArrayToProcess(7, 0, 0, 0, "f")
+            add(self.grid.GetPointData(), "rim", np.array([0.0 if 31 <= k < 930 else 1.0 for k in range(961)]))
+            add(self.grid.GetPointData(), "zero", np.zeros(961))
+            poisson.SetInputArrayToProcess(0, 0, 0, 0, "rim")
+            poisson.SetInputArrayToProcess(3, 0, 0, 0, "zero")
+            self.expect(fill, lambda: self.updated(poisson, self.grid))
+
+    def updated(self, algorithm, surface):
+        algorithm.SetInputData(surface)
+        return update(algorithm)
+
+    def test_do_not_count_where_the_mask_is_zero(self):
+        self.filled("D", 1e20, 3)
+        mask = np.ones(961)
+        mask[self.holes] = 0
+        add(self.grid.GetPointData(), "known", mask)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            result = smooth_field(self.grid, n=1, Directions="D", Mask="known")
+        np.testing.assert_allclose(values(result.GetPointData(), "Direction0"), np.tile([1.0, 0, 0], (961, 1)), atol=1e-6)
 
 
 class Coasts(unittest.TestCase):

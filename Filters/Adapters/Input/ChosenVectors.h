@@ -1,7 +1,7 @@
 #ifndef dmgChosenVectors_h
 #define dmgChosenVectors_h
 
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 
 #include <string>
 

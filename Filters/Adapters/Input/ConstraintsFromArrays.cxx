@@ -1,6 +1,7 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
-#include "Adapters/Input/EastAndNorth.h"
+#include "Adapters/View/EastAndNorth.h"
+#include "Adapters/View/FillValues.h"
 #include "Constraints/WeightsOfPoints.h"
 #include "Support/Errors.h"
 
@@ -21,12 +22,19 @@ namespace
 
 constexpr const char* Whose = "the surface";
 
+/// The first sentence counts.
+void AddFillValues(UnusableDirections& sum, const std::string& sentence)
+{
+  sum.FillValues = sum.FillValues.empty() ? sentence : sum.FillValues;
+}
+
 void Add(UnusableDirections& sum, const UnusableDirections& part)
 {
   sum.NotFinite += part.NotFinite;
   sum.Zero += part.Zero;
   sum.Perpendicular += part.Perpendicular;
   sum.NotSymmetric += part.NotSymmetric;
+  AddFillValues(sum, part.FillValues);
 }
 
 /// The place of a point or cell of the caller's that is part of the surface.
@@ -146,7 +154,7 @@ Constraints DirectionsOnSurface(
 /// Values at points: where the mask is not zero, or, without a mask, where they are numbers; with weights, where those are
 /// not zero, too.
 std::vector<ValueConstraint> ValuesOnSurface(
-  const ConstraintArrays& choices, vtkDataSet* surface, const SurfaceRelation& relation)
+  const ConstraintArrays& choices, vtkDataSet* surface, const SurfaceRelation& relation, UnusableDirections& unusable)
 {
   std::vector<ValueConstraint> prescribed;
   const ChosenArray values = FindArray(choices.Values, surface, 1, "values", Whose);
@@ -164,23 +172,27 @@ std::vector<ValueConstraint> ValuesOnSurface(
                          "Values, Mask or Weights; choose arrays of points");
     }
   }
+  std::vector<char> isLeftOut(surface->GetNumberOfPoints(), 1);
   for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
   {
     const double value = values.Array->GetComponent(point, 0);
     const double weight = weights.Array ? weights.Array->GetComponent(point, 0) : 1.0;
     if (weight != 0.0 && (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
     {
+      isLeftOut[point] = std::isfinite(value) ? 0 : 1;
       for (const int vertex : relation.VerticesOf(point))
       {
         prescribed.push_back({ vertex, value, weight });
       }
     }
   }
+  AddFillValues(unusable, SuspectedFillValues({ values.Array }, isLeftOut, "values"));
   return prescribed;
 }
 
 /// The source of a function at vertices; empty where none is chosen.
-Vector<double> SourceOnSurface(const ChosenArray& choice, vtkDataSet* surface, const FramedSurface& framed)
+Vector<double> SourceOnSurface(
+  const ChosenArray& choice, vtkDataSet* surface, const FramedSurface& framed, UnusableDirections& unusable)
 {
   const ChosenArray source = FindArray(choice, surface, 1, "source", Whose);
   if (source.Array && !source.OnPoints())
@@ -188,6 +200,10 @@ Vector<double> SourceOnSurface(const ChosenArray& choice, vtkDataSet* surface, c
     throw InvalidInput(
       "a source stands at points, and an array of cells is chosen for Source; choose an array of points, "
       "by Cell Data to Point Data (vtkCellDataToPointData) for example");
+  }
+  if (source.Array)
+  {
+    AddFillValues(unusable, SuspectedFillValues({ source.Array }, surface->GetNumberOfPoints(), "source"));
   }
   Vector<double> values(source.Array ? framed.Geometry.Mesh.NumberOfVertices() : 0);
   for (int vertex = 0; vertex < values.size(); ++vertex)
@@ -220,14 +236,18 @@ std::string TextOf(const UnusableDirections& unusable)
   const std::string tensors = unusable.NotSymmetric == 0 ? ""
     : unusable.NotSymmetric == 1 ? number + " tensor is not symmetric; its symmetric part is used"
                                  : number + " tensors are not symmetric; their symmetric parts are used";
-  return text + (text.empty() || tensors.empty() ? "" : ". ") + tensors;
+  for (const std::string& sentence : { tensors, unusable.FillValues })
+  {
+    text += (text.empty() || sentence.empty() ? "" : ". ") + sentence;
+  }
+  return text;
 }
 
 Constraints ConstraintsFromArrays(
   const ConstraintArrays& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints constraints;
-  std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Relation);
+  std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Relation, unusable);
   // Mask and weights are those of the values otherwise.
   if (!HasArray(choices.Values, input) || HasDirections(choices, input))
   {
@@ -235,7 +255,7 @@ Constraints ConstraintsFromArrays(
   }
   WeighPlacesOnce(values, surface.Geometry.Mesh, surface.Relation);
   constraints.Values = std::move(values);
-  constraints.Source = SourceOnSurface(choices.Source, input, surface);
+  constraints.Source = SourceOnSurface(choices.Source, input, surface, unusable);
   return constraints;
 }
 

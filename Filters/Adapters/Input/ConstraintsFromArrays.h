@@ -1,8 +1,8 @@
 #ifndef dmgConstraintsFromArrays_h
 #define dmgConstraintsFromArrays_h
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Constraints/Constraints.h"
 
 #include <string>

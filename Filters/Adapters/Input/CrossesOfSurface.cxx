@@ -1,9 +1,9 @@
 #include "Adapters/Input/CrossesOfSurface.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
 
@@ -11,8 +11,8 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
+#include <memory>
 #include <string>
-#include <utility>
 
 namespace dmg
 {
@@ -49,27 +49,23 @@ Vector<Complex> FourthPowers(const Vector<Complex>& directions)
   return powers;
 }
 
-CrossesOfSurface FromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
+Vector<Complex> FromArrays(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
 {
-  SurfaceWithField given = ReadField(algorithm, input, N, context);
+  const SurfaceWithField given = ReadField(algorithm, view, N, context);
   if (4 % given.Field.N() != 0)
   {
     throw WrongChoice("quads have no edges along a field of " + std::to_string(given.Field.N()) +
       " directions; choose one of 4, or of 1 or 2, whose lines are one of both");
   }
-  CrossesOfSurface crosses;
-  crosses.Powers = FourthPowers(given.Field.First());
-  crosses.Surface = given.Surface;
-  return crosses;
+  return FourthPowers(given.Field.First());
 }
 
-CrossesOfSurface Smoothest(
-  vtkAlgorithm* algorithm, vtkDataSet* input, const QuadOptions& options, const ExecutionContext& context)
+Vector<Complex> Smoothest(
+  vtkAlgorithm* algorithm, SurfaceView& view, const QuadOptions& options, const ExecutionContext& context)
 {
-  CrossesOfSurface crosses;
-  crosses.Surface = PrepareDataSet(input, PreparationOf(input), PartOfContext(context, 0.0, 0.2));
-  WarnOfPreparation(algorithm, crosses.Surface->Report);
-  FieldSolver solver(std::shared_ptr<const FramedMesh>(crosses.Surface, &crosses.Surface->Geometry));
+  view.Prepare(PreparationOf(view.Data()), PartOfContext(context, 0.0, 0.2));
+  WarnOfPreparation(algorithm, view.Repair());
+  FieldSolver solver(std::shared_ptr<const FramedMesh>(view.Prepared(), &view.Prepared()->Geometry));
   FieldProblem problem;
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
   if (options.AlignSharpEdges)
@@ -77,18 +73,17 @@ CrossesOfSurface Smoothest(
     problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
   }
   problem.UnitLengthWhileSmoothing = true;
-  const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), crosses.Surface->Relation.Names());
-  crosses.Powers = FourthPowers(field.OnFaces);
-  return crosses;
+  const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), view.Relation().Names());
+  return FourthPowers(field.OnFaces);
 }
 
 }
 
-CrossesOfSurface CrossesOf(
-  vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const QuadOptions& options, const ExecutionContext& context)
+Vector<Complex> CrossesOf(
+  vtkAlgorithm* algorithm, SurfaceView& view, int N, const QuadOptions& options, const ExecutionContext& context)
 {
-  return IsFieldChosen(algorithm, surface) ? FromArrays(algorithm, surface, N, context)
-                                           : Smoothest(algorithm, surface, options, context);
+  return IsFieldChosen(algorithm, view.Given()) ? FromArrays(algorithm, view, N, context)
+                                                : Smoothest(algorithm, view, options, context);
 }
 
 }

@@ -1,10 +1,12 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/ChosenVectors.h"
-#include "Adapters/Input/EastAndNorth.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/ChosenArrays.h"
+#include "Adapters/View/EastAndNorth.h"
+#include "Adapters/View/FillValues.h"
 #include "Directions/CellDirections.h"
 #include "Directions/SignFlips.h"
 #include "Support/Errors.h"
@@ -73,7 +75,7 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
 class CellsOnFaces
 {
 public:
-  CellsOnFaces(const PreparedDataSet& surface, const ExecutionContext& context)
+  CellsOnFaces(const FramedSurface& surface, const ExecutionContext& context)
     : Relation(surface.Relation)
     , Frames(surface.Geometry.Faces)
     , Normals(NormalsOfCells(surface.Geometry.Mesh, surface.Geometry.Faces, surface.Relation, context))
@@ -136,7 +138,7 @@ Vector<Complex> ReadTuples(
 }
 
 Vector<Complex> ReadVertices(
-  vtkDataArray* array, const PreparedDataSet& surface, std::set<vtkIdType>& left, const ExecutionContext& context)
+  vtkDataArray* array, const FramedSurface& surface, std::set<vtkIdType>& left, const ExecutionContext& context)
 {
   const auto pointOf = [&surface](int vertex) { return surface.Relation.PointOf(vertex); };
   return ReadTuples([&](int vertex) { return ReadTuple(array, pointOf(vertex), surface.Geometry.Vertices, vertex); },
@@ -209,6 +211,13 @@ void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::se
   }
 }
 
+/// Warns of numbers that may be fill values. \throw InvalidInput as SuspectedFillValues.
+void CheckFillValues(vtkAlgorithm* algorithm, const ChosenArray& chosen, vtkDataSet* input, const std::string& what)
+{
+  const vtkIdType tuples = input->GetNumberOfElements(chosen.OnPoints() ? vtkDataObject::POINT : vtkDataObject::CELL);
+  Warn(algorithm, { SuspectedFillValues({ chosen.Array }, tuples, what) });
+}
+
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
 void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
@@ -224,8 +233,9 @@ void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const Triangl
 
 }
 
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
 {
+  vtkDataSet* const input = view.Given();
   const ChosenArray chosen = ChooseVectors(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
   const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
@@ -235,10 +245,11 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
     throw InvalidInput("array '" + NameOf(chosen.Array) +
       "' holds tensors, whose principal directions have no sign; choose 2 or 4 as Number Of Directions");
   }
-  auto surface = PrepareDataSet(input, PreparationOf(input), context);
-  const TriangleMesh& mesh = surface->Geometry.Mesh;
-  const TangentFrames& frames = surface->Geometry.Faces;
-  const TangentFrames& vertexFrames = surface->Geometry.Vertices;
+  view.Prepare(PreparationOf(input), context);
+  const FramedSurface& surface = view.Surface();
+  const TriangleMesh& mesh = view.Mesh();
+  const TangentFrames& frames = surface.Geometry.Faces;
+  const TangentFrames& vertexFrames = surface.Geometry.Vertices;
   context.Checkpoint(0.5);
 
   if (const std::string problem = ProblemOfPlaneVectors(chosen.Array, mesh.VertexPositions()); !problem.empty())
@@ -249,7 +260,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   std::set<vtkIdType> left;
   if (chosen.OnPoints())
   {
-    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, *surface, left, context);
+    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, surface, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
@@ -258,9 +269,9 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   }
   else
   {
-    const CellsOnFaces cells(*surface, context);
+    const CellsOnFaces cells(surface, context);
     first = ReadTuples([&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(),
-      [&](int face) { return surface->Relation.CellOf(face); }, left, context);
+      [&](int face) { return surface.Relation.CellOf(face); }, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, frames, first);
@@ -276,29 +287,36 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
       "' has no direction on any triangle, its vectors are zero, not finite or perpendicular to the surface; "
       "choose another");
   }
+  if (NameOf(chosen.Array) != ArrayNames::Direction(0)) // a solver knows no fill values
+  {
+    CheckFillValues(algorithm, chosen, input, "array '" + NameOf(chosen.Array) + "'");
+  }
   CheckLeft(algorithm, chosen, left);
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);
   const bool isAtPoints = IsFieldAtPoints(input, chosen) && N == numberByName;
-  return { input, std::move(surface), std::move(field), diagonal, isAtPoints };
+  return { view, std::move(field), diagonal, isAtPoints };
 }
 
 FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const ExecutionContext& context)
 {
-  vtkDataArray* const array = given.Data->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
-  CheckTuples(array, given.Data, vtkDataObject::POINT);
+  vtkDataSet* const input = given.View.Given();
+  vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
+  CheckTuples(array, input, vtkDataObject::POINT);
   std::set<vtkIdType> left; // those of the cells were counted
-  return { VertexConnection(given.Surface->Geometry, context), ReadVertices(array, *given.Surface, left, context) };
+  const FramedSurface& surface = given.View.Surface();
+  return { VertexConnection(surface.Geometry, context), ReadVertices(array, surface, left, context) };
 }
 
 Points ReferenceVectors(
-  const ChosenArray& choice, vtkDataSet* surface, const PreparedDataSet& on, const Vector3& otherwise)
+  vtkAlgorithm* algorithm, const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise)
 {
-  const TriangleMesh& mesh = on.Geometry.Mesh;
+  const TriangleMesh& mesh = view.Mesh();
   Points references(mesh.NumberOfFaces(), 3);
-  if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
+  if (const ChosenArray chosen = FindArray(choice, view.Given(), 3, "reference vectors", "the surface"); chosen.Array)
   {
+    CheckFillValues(algorithm, chosen, view.Given(), "reference vectors");
     Vector3 vector;
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {
@@ -306,7 +324,7 @@ Points ReferenceVectors(
       for (int corner = 0; corner < (chosen.OnPoints() ? 3 : 1); ++corner)
       {
         chosen.Array->GetTuple(
-          chosen.OnPoints() ? on.Relation.PointOf(mesh.FaceCorners()(face, corner)) : on.Relation.CellOf(face),
+          chosen.OnPoints() ? view.Relation().PointOf(mesh.FaceCorners()(face, corner)) : view.Relation().CellOf(face),
           vector.data());
         references.row(face) += vector.transpose();
       }
@@ -320,7 +338,7 @@ Points ReferenceVectors(
   {
     if (!references.row(face).allFinite())
     {
-      throw InvalidInput("the reference vector of cell " + std::to_string(on.Relation.CellOf(face)) +
+      throw InvalidInput("the reference vector of cell " + std::to_string(view.Relation().CellOf(face)) +
         " is not finite; repair it, or choose other vectors or Axis");
     }
   }

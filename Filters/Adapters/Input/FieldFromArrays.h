@@ -1,21 +1,19 @@
 #ifndef dmgFieldFromArrays_h
 #define dmgFieldFromArrays_h
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
-#include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/ChosenArrays.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
-#include "vtkSmartPointer.h"
 
 #include <initializer_list>
-#include <memory>
 
 class vtkAlgorithm;
 class vtkInformation;
@@ -26,8 +24,7 @@ namespace dmg
 /// A surface with a field of N directions that stands in its arrays.
 struct SurfaceWithField
 {
-  vtkSmartPointer<vtkDataSet> Data; ///< that the surface comes from
-  std::shared_ptr<const PreparedDataSet> Surface;
+  SurfaceView& View; ///< borrowed
   DirectionsOnFaces Field;
   double Diagonal; ///< of the box around the triangles
   bool IsAtPoints; ///< whether it shows a power field at points
@@ -38,13 +35,13 @@ struct SurfaceWithField
 /// cells and points have an array Direction0, both names mean that of the cells. Where cells have an array
 /// SingularityIndex, the field is one at points, too (ReadFieldAtPoints).
 ///
-/// \param N of the field; 0: that of NumberOfDirections.
+/// \param view becomes the surface that the filter before has prepared (PreparationOf). \param N of the field; 0: that of NumberOfDirections.
 /// Vectors that are not finite, as where nothing was measured, are no directions; one warning counts them.
 /// \throw WrongChoice as ChooseVectors; vectors of 2 numbers on a surface that is not in a plane of constant z; no direction on
 /// any triangle.
 /// \throw InvalidInput what MeshFromDataSet refuses; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const ExecutionContext& context);
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context);
 
 /// A power field at points, where its singularities are found.
 struct FieldAtVertices
@@ -58,9 +55,9 @@ FieldAtVertices ReadFieldAtPoints(const SurfaceWithField& given, const Execution
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
-/// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
+/// \throw InvalidInput as FindArray and SuspectedFillValues, of which the algorithm warns; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(
-  const ChosenArray& choice, vtkDataSet* surface, const PreparedDataSet& on, const Vector3& otherwise);
+  vtkAlgorithm* algorithm, const ChosenArray& choice, const SurfaceView& view, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
@@ -75,7 +72,8 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
     {
       CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
       CheckRanges(others);
-      const SurfaceWithField field = ReadField(algorithm, SurfaceOf(whole[0]), N, PartOfContext(context, 0.0, 0.3));
+      SurfaceView view(SurfaceOf(whole[0]));
+      const SurfaceWithField field = ReadField(algorithm, view, N, PartOfContext(context, 0.0, 0.3));
       draw(field, PartOfContext(context, 0.3, 1.0));
     });
 }

@@ -43,6 +43,7 @@ UnusableDirections ReadPieces(
   unusable.Zero = Sum(ranks, unusable.Zero);
   unusable.Perpendicular = Sum(ranks, unusable.Perpendicular);
   unusable.NotSymmetric = Sum(ranks, unusable.NotSymmetric);
+  unusable.FillValues = ranks.FirstText(unusable.FillValues);
   return unusable;
 }
 

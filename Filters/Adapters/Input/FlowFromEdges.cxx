@@ -1,8 +1,8 @@
 #include "Adapters/Input/FlowFromEdges.h"
 
 #include "Adapters/Data/CellChecks.h"
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/GuideDataSets.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Flows/FlowOperators.h"
 #include "Flows/FormOnPolygons.h"
 #include "Support/Errors.h"
@@ -180,8 +180,8 @@ std::string NameOfLine(vtkIdType line)
 
 }
 
-FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* input, const FramedSurface& surface,
-  const ExecutionContext& context)
+FaceFlow FlowFromEdges(
+  vtkDataSet* edges, const EdgeValues& values, const SurfaceView& view, const ExecutionContext& context)
 {
   CheckCells(edges, "the dataset of edges");
   const ChosenArray choice{ values.Name, -1, vtkDataObject::FIELD_ASSOCIATION_CELLS };
@@ -190,8 +190,9 @@ FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* 
   {
     throw InvalidInput("the edges are given, and no array of their lines is chosen for the flow; set Edge Array");
   }
+  const FramedSurface surface = view.Surface();
   FormOfLines form(surface);
-  PointsOfLines points(edges, input);
+  PointsOfLines points(edges, view.Given());
   vtkNew<vtkIdList> ends;
   for (vtkIdType line = 0; line < edges->GetNumberOfCells(); ++line)
   {

@@ -21,8 +21,8 @@ struct EdgeValues
 /// (FillDiagonals).
 /// \throw InvalidInput there is no such array; an edge has no line or two lines with different values; a line that is an edge has more
 ///   than two points, or its value is not finite. Cost: linear.
-FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* input, const FramedSurface& surface,
-  const ExecutionContext& context);
+FaceFlow FlowFromEdges(
+  vtkDataSet* edges, const EdgeValues& values, const SurfaceView& view, const ExecutionContext& context);
 
 }
 

@@ -1,7 +1,7 @@
 #ifndef dmgGuideDataSets_h
 #define dmgGuideDataSets_h
 
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 
 #include <string>
 #include <vector>

@@ -121,6 +121,7 @@ void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arr
     });
   this->Unusable.NotFinite += passedOver.NotFinite;
   this->Unusable.Zero += passedOver.Zero;
+  this->Unusable.FillValues += this->Unusable.FillValues.empty() ? passedOver.FillValues : "";
 }
 
 void Reader::AddLines(const GuideDataSet& dataset, const ConstraintArrays& choices)
@@ -265,6 +266,7 @@ Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
   }
   unusable.NotFinite += reader.Unusable.NotFinite;
   unusable.Zero += reader.Unusable.Zero;
+  unusable.FillValues += unusable.FillValues.empty() ? reader.Unusable.FillValues : "";
   reader.Result.MaximumDistance = input.MaximumDistance;
   return std::move(reader.Result);
 }

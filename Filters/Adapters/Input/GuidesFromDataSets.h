@@ -1,7 +1,7 @@
 #ifndef dmgGuidesFromDataSets_h
 #define dmgGuidesFromDataSets_h
 
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 #include "Constraints/Guides.h"
 
 #include <string>

@@ -6,14 +6,14 @@
 namespace dmg
 {
 
-std::vector<char> OpenEdgesOf(const ChosenArray& choice, vtkDataSet* input, const FramedSurface& surface)
+std::vector<char> OpenEdgesOf(const ChosenArray& choice, FlowBoundary otherwise, const SurfaceView& view)
 {
-  const ChosenArray chosen = FindArray(choice, input, 1, "open boundary", "the surface");
+  const TriangleMesh& mesh = view.Mesh();
+  const ChosenArray chosen = FindArray(choice, view.Given(), 1, "open boundary", "the surface");
   if (!chosen.Array)
   {
-    return {};
+    return OpenEdges(mesh, otherwise);
   }
-  const TriangleMesh& mesh = surface.Geometry.Mesh;
   const auto isOpenAt = [&chosen](vtkIdType element)
   {
     const double number = chosen.Array->GetComponent(element, 0);
@@ -25,8 +25,8 @@ std::vector<char> OpenEdgesOf(const ChosenArray& choice, vtkDataSet* input, cons
     if (mesh.Twin(h) < 0)
     {
       isOpen[mesh.EdgeOf(h)] = chosen.OnPoints()
-        ? isOpenAt(surface.Relation.PointOf(mesh.Tail(h))) && isOpenAt(surface.Relation.PointOf(mesh.Head(h)))
-        : isOpenAt(surface.Relation.CellOf(TriangleMesh::FaceOf(h)));
+        ? isOpenAt(view.Relation().PointOf(mesh.Tail(h))) && isOpenAt(view.Relation().PointOf(mesh.Head(h)))
+        : isOpenAt(view.Relation().CellOf(TriangleMesh::FaceOf(h)));
     }
   }
   return isOpen;

@@ -2,6 +2,8 @@
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Input/GuideDataSets.h"
+#include "Adapters/Pipeline/PanelWords.h"
+#include "Discretisations/MakeDiscretisation.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
@@ -56,9 +58,14 @@ ConstraintArrays ChoicesOnSurface(const FieldProperties& properties, vtkDataSet*
 FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtkInformationVector** inputs)
 {
   const double maximumDistance = properties.Problem.Guides.MaximumDistance;
-  return { surface, ChoicesOnSurface(properties, surface),
+  FieldInputs all{ surface, ChoicesOnSurface(properties, surface),
     GuidesOf(inputs, { 1, 3, 4, 5 }, properties.GuideChoices, maximumDistance),
     { DataOf(inputs[2]), properties.SingularityIndexArray, maximumDistance } };
+  if (!all.Singularities.Data.empty())
+  {
+    WithSingularitiesAtVertices(properties.Problem.Options.Field); // throws where there are none
+  }
+  return all;
 }
 
 UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem)
@@ -76,6 +83,24 @@ UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* su
     AddRotation(inputs.Choices.Rotation, inputs.Surface, *surface, problem.Rotation);
   }
   return unusable;
+}
+
+FieldProblem ProblemOf(vtkAlgorithm* filter, const FieldProperties& properties, const FieldInputs& inputs,
+  const SurfaceView& view, FieldSolver& solver)
+{
+  FieldProblem problem = properties.Problem;
+  const UnusableDirections unusable = ReadInputs(inputs, &view.Surface(), problem);
+  if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
+  {
+    CheckPrescribes(inputs);
+  }
+  if (!inputs.Singularities.Data.empty())
+  {
+    problem.Singularities = BringToSurface(inputs.Singularities, problem.Options.Field.N, solver.Places());
+  }
+  Warn(filter, { TextOf(unusable) });
+  Warn(filter, WarningsOf(inputs.Guides));
+  return problem;
 }
 
 void CheckPrescribes(const FieldInputs& inputs)

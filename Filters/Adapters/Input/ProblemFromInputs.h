@@ -3,11 +3,13 @@
 
 #include "Adapters/Input/GuidesFromDataSets.h"
 #include "Adapters/Input/SingularitiesOnSurface.h"
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 #include "FieldProblem.h"
+#include "FieldSolver.h"
 
 #include <string>
 
+class vtkAlgorithm;
 class vtkDataSet;
 class vtkInformationVector;
 
@@ -36,7 +38,7 @@ struct FieldInputs
 };
 
 /// \param inputs of all ports; \p surface is that of port 0.
-/// \throw InvalidInput directions of the surface are tensors, and the field has a sign.
+/// \throw InvalidInput directions of the surface are tensors, and the field has a sign; fields of this kind have no singularities.
 FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtkInformationVector** inputs);
 
 /// Adds the constraints to a problem: arrays of the surface, their rotation, and guides.
@@ -44,6 +46,13 @@ FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtk
 /// \return the directions that are left out.
 /// \throw InvalidInput as ConstraintsFromArrays, AddRotation and GuidesFrom.
 UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem);
+
+/// The problem on a whole surface: the properties of the filter, and all inputs as they are read there. The filter warns of those that are left
+/// out.
+/// \param solver on the surface of the view.
+/// \throw InvalidInput as ReadInputs, CheckPrescribes and BringToSurface.
+FieldProblem ProblemOf(vtkAlgorithm* filter, const FieldProperties& properties, const FieldInputs& inputs,
+  const SurfaceView& view, FieldSolver& solver);
 
 /// \pre Nothing is prescribed. \throw InvalidInput arrays or guides are chosen all the same.
 void CheckPrescribes(const FieldInputs& inputs);

@@ -31,26 +31,25 @@ void RemoveBasis(vtkDataSet* surface)
 
 }
 
-void AddBasis(
-  const FramedSurface& on, const Field& field, vtkDataSet* surface, vtkPolyData* edges, const ExecutionContext& context)
+void AddBasis(const SurfaceView& view, const Field& field, vtkPolyData* edges, const ExecutionContext& context)
 {
-  RemoveBasis(surface);
+  RemoveBasis(view.Output());
   if (!field.HarmonicBasis)
   {
     return;
   }
   const Discretisation& discretisation = *field.Solution->Discretisation;
   const auto fields = static_cast<int>(field.HarmonicBasis->cols());
-  const ArraysOfCells cells(on.Geometry.Mesh, on.Relation, surface, surface->GetCellData(), context);
+  const ArraysOfCells cells = view.OfCells(context);
   for (int k = 0; k < fields; ++k)
   {
     context.Checkpoint(static_cast<double>(k) / fields);
     const Vector<double> harmonic = field.HarmonicBasis->col(k);
     const std::string name = ArrayNames::HarmonicBasis(k + 1);
-    cells.Add(name, 3, discretisation.VectorsOnFaces(harmonic, context).data());
+    cells.AddVectors(name, discretisation.VectorsOnFaces(harmonic, context).data());
     if (discretisation.Elements() == ElementKind::Edges)
     {
-      AddOnEdges(on.Geometry.Mesh, on.Relation, name, harmonic, edges->GetCellData(), context);
+      AddOnEdges(view.Mesh(), view.Relation(), name, harmonic, edges->GetCellData(), context);
     }
   }
   context.Checkpoint(1.0);

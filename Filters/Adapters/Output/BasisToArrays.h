@@ -1,7 +1,7 @@
 #ifndef dmgBasisToArrays_h
 #define dmgBasisToArrays_h
 
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Field.h"
 #include "Support/ExecutionContext.h"
 
@@ -11,11 +11,10 @@
 namespace dmg
 {
 
-/// Adds the basis of harmonic fields that a field comes with to the cells of \p surface and, where the field is one of numbers on
+/// Adds the basis of harmonic fields that a field comes with to the cells of a view's output and, where the field is one of numbers on
 /// edges, to \p edges. Removes the basis that an earlier solver left, of any size.
 /// \throw Cancelled
-void AddBasis(const FramedSurface& on, const Field& field, vtkDataSet* surface, vtkPolyData* edges,
-  const ExecutionContext& context);
+void AddBasis(const SurfaceView& view, const Field& field, vtkPolyData* edges, const ExecutionContext& context);
 
 }
 

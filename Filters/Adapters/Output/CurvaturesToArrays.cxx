@@ -2,10 +2,6 @@
 
 #include "Adapters/Surface/ElementArrays.h"
 
-#include "vtkCellData.h"
-#include "vtkDataSet.h"
-#include "vtkPointData.h"
-
 namespace dmg
 {
 
@@ -36,14 +32,11 @@ void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCur
 
 }
 
-void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkDataSet* input,
-  vtkDataSet* output, const ExecutionContext& context)
+void AddCurvatures(const SurfaceView& view, const PrincipalDirections& curvatures, const ExecutionContext& context)
 {
-  AddTo(ArraysOfCells(surface.Geometry.Mesh, surface.Relation, input, output->GetCellData(), context),
-    surface.Geometry.Faces, curvatures.Faces);
+  AddTo(view.OfCells(context), view.Surface().Geometry.Faces, curvatures.Faces);
   context.Checkpoint(0.5);
-  AddTo(ArraysOfPoints(surface.Relation, input, output->GetPointData(), context), surface.Geometry.Vertices,
-    curvatures.Vertices);
+  AddTo(view.OfPoints(context), view.Surface().Geometry.Vertices, curvatures.Vertices);
   context.Checkpoint(1.0);
 }
 

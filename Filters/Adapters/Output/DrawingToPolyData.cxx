@@ -153,8 +153,8 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
 
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  const SurfaceRelation& relation = given.Surface->Relation;
-  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
+  const SurfaceRelation& relation = given.View.Relation();
+  const TriangleMesh& mesh = given.View.Mesh();
   const bool areOnFaces = given.IsAtPoints;
   std::vector<std::pair<vtkIdType, int>> singular;
   double sum = 0.0;
@@ -249,7 +249,7 @@ namespace
 /// vertex lies on the left of the line.
 void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
+  const TriangleMesh& mesh = given.View.Mesh();
   std::vector<Vector3> positions;
   std::map<int, vtkIdType> centres; // of faces, in the output
   const auto centreOf = [&](int face)
@@ -294,8 +294,8 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
     CutsBetweenVertices(given, topology, output);
     return;
   }
-  const SurfaceRelation& relation = given.Surface->Relation;
-  const TriangleMesh& mesh = given.Surface->Geometry.Mesh;
+  const SurfaceRelation& relation = given.View.Relation();
+  const TriangleMesh& mesh = given.View.Mesh();
   const int N = given.Field.N();
   struct Cut
   {
@@ -365,7 +365,7 @@ void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology&
     ids.push_back(ids.front());
     for (const int vertex : loop.Vertices)
     {
-      positions.push_back(given.Surface->Geometry.Mesh.Position(vertex));
+      positions.push_back(given.View.Mesh().Position(vertex));
     }
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     indices.push_back(loop.Index);

@@ -3,7 +3,6 @@
 #include "Adapters/Output/BasisToArrays.h"
 #include "Adapters/Output/FieldToArrays.h"
 #include "Adapters/Output/ReportToArrays.h"
-#include "Adapters/Surface/PreparationToFieldData.h"
 
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -14,27 +13,25 @@
 namespace dmg
 {
 
-void WriteField(const SolverOfDataSet& surface, const Field& field, const FieldInputs& inputs,
+void WriteField(SurfaceView& view, const Field& field, double setupSeconds, const FieldInputs& inputs,
   const FieldProperties& properties, const std::string& followed, vtkInformationVector* outputs,
   const ExecutionContext& context)
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputs, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputs, 1);
   vtkTable* const convergence = vtkTable::GetData(outputs, 2);
-  const FramedSurface on = surface.Surface();
   const double most = field.HarmonicBasis ? 0.2 : 1.0;
-  output->ShallowCopy(inputs.Surface);
-  AddField(on, field, properties.AllDirections, output, edges, PartOfContext(context, 0.0, most));
-  AddPrescribed(on.Relation, field.Solution->Constraints, field.Solution->Discretisation->Elements(), output, edges);
-  AddBasis(on, field, output, edges, PartOfContext(context, most, 1.0));
-  AddPreparation(surface.Preparation(), properties.Preparation, output->GetFieldData());
+  view.StartOutput(output);
+  AddField(view, field, properties.AllDirections, edges, PartOfContext(context, 0.0, most));
+  AddPrescribed(view, field.Solution->Constraints, field.Solution->Discretisation->Elements(), edges);
+  AddBasis(view, field, edges, PartOfContext(context, most, 1.0));
   PathsToPolyData(field.Guides.Paths, vtkPolyData::GetData(outputs, 3));
   MakeConvergenceTable(field.Report, convergence);
   for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
   {
     RemoveReport(data);
     AddFollowed(followed, data);
-    AddReport(field, surface.SetupSeconds(field), data);
+    AddReport(field, setupSeconds, data);
     if (!inputs.Guides.Data.empty())
     {
       AddGuidesReport(field.Guides, data);

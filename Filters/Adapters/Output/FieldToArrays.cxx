@@ -63,17 +63,19 @@ void RemoveField(vtkDataSetAttributes* attributes)
 
 }
 
-void AddField(const FramedSurface& on, const Field& field, bool allDirections, vtkDataSet* surface, vtkPolyData* edges,
-  const ExecutionContext& context)
+void AddField(
+  const SurfaceView& view, const Field& field, bool allDirections, vtkPolyData* edges, const ExecutionContext& context)
 {
+  const FramedSurface& on = view.Surface();
+  vtkDataSet* const surface = view.Output();
   RemoveField(surface->GetCellData());
   RemoveField(surface->GetPointData());
   const TriangleMesh& mesh = on.Geometry.Mesh;
   MakeLines(on, surface, edges, context);
   AddOnEdges(mesh, on.Relation, ArrayNames::Rotation, field.Rotation, edges->GetCellData(), context);
   edges->GetCellData()->SetActiveScalars(ArrayNames::Rotation);
-  const ArraysOfCells cells(mesh, on.Relation, surface, surface->GetCellData(), context);
-  const ArraysOfPoints points(on.Relation, surface, surface->GetPointData(), context);
+  const ArraysOfCells cells = view.OfCells(context);
+  const ArraysOfPoints points = view.OfPoints(context);
   field.AreSingularitiesOnFaces ? cells.AddSums(ArrayNames::SingularityIndex, field.Indices.data())
                                 : points.AddSums(ArrayNames::SingularityIndex, field.Indices.data());
   // First, so that copies of the numbers are gone before most memory is needed.
@@ -106,9 +108,11 @@ void AddField(const FramedSurface& on, const Field& field, bool allDirections, v
   context.Checkpoint(1.0);
 }
 
-void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& constraints, ElementKind elements,
-  vtkDataSet* surface, vtkPolyData* edges)
+void AddPrescribed(
+  const SurfaceView& view, const FieldConstraints& constraints, ElementKind elements, vtkPolyData* edges)
 {
+  const SurfaceRelation& relation = view.Relation();
+  vtkDataSet* const surface = view.Output();
   const bool areEdges = elements == ElementKind::Edges;
   const bool arePoints = elements == ElementKind::Vertices;
   vtkDataSetAttributes* const attributes = areEdges ? edges->GetCellData()

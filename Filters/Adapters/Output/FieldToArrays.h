@@ -1,7 +1,7 @@
 #ifndef dmgFieldToArrays_h
 #define dmgFieldToArrays_h
 
-#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Field.h"
 #include "Support/ExecutionContext.h"
 
@@ -11,16 +11,16 @@
 namespace dmg
 {
 
-/// Adds the arrays of a field to the cells and points of \p surface, in place of those that an earlier solver left there, and makes
+/// Adds the arrays of a field to the output of a view, in place of those that an earlier solver left there, and makes
 /// its first direction the active vectors. Makes \p edges the edges of the surface, with the angle by which the field rotates across
 /// each.
 /// \param allDirections whether all N directions are added, rather than Direction0 alone.
-void AddField(const FramedSurface& on, const Field& field, bool allDirections, vtkDataSet* surface, vtkPolyData* edges,
-  const ExecutionContext& context);
+void AddField(
+  const SurfaceView& view, const Field& field, bool allDirections, vtkPolyData* edges, const ExecutionContext& context);
 
-/// Adds the weights of the prescribed elements to \p surface, or, where these are edges, to \p edges.
-void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& constraints, ElementKind elements,
-  vtkDataSet* surface, vtkPolyData* edges);
+/// Adds the weights of the prescribed elements to the output of a view or, where these are edges, to \p edges.
+void AddPrescribed(
+  const SurfaceView& view, const FieldConstraints& constraints, ElementKind elements, vtkPolyData* edges);
 
 }
 

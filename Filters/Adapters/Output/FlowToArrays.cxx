@@ -32,12 +32,9 @@ using namespace ArrayNames;
 class FlowArrays
 {
 public:
-  FlowArrays(const FramedSurface& surface, const Unfilled<Corner>& corners, vtkDataSet* input, vtkDataSet* output,
-    const ExecutionContext& context)
-    : Surface(surface)
+  FlowArrays(const SurfaceView& view, const Unfilled<Corner>& corners, const ExecutionContext& context)
+    : View(view)
     , Corners(corners)
-    , Input(input)
-    , Output(output)
     , Context(context)
   {
   }
@@ -48,10 +45,10 @@ public:
     {
       return;
     }
-    const FramedMesh& on = this->Surface.Geometry;
-    this->OfCells().AddVectors(name, on.Faces, part);
+    const FramedMesh& on = this->View.Surface().Geometry;
+    this->View.OfCells(this->Context).AddVectors(name, on.Faces, part);
     const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
-    this->OfPoints().AddVectors(name, on.Vertices, atVertices);
+    this->View.OfPoints(this->Context).AddVectors(name, on.Vertices, atVertices);
   }
 
   /// Adds numbers of vertices times a factor.
@@ -60,33 +57,20 @@ public:
     if (values.size() > 0)
     {
       const Vector<double> scaled = factor * values;
-      this->OfPoints().Add(name, 1, scaled.data());
+      this->View.OfPoints(this->Context).Add(name, 1, scaled.data());
     }
-  }
-
-  ArraysOfCells OfCells() const
-  {
-    return { this->Surface.Geometry.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(),
-      this->Context };
   }
 
   void AddNumbers(const char* name, const Vector<double>& numbers) const
   {
     const auto array = NewArray(name, 1, numbers.size());
     std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
-    this->Output->GetFieldData()->AddArray(array);
+    this->View.Output()->GetFieldData()->AddArray(array);
   }
 
 private:
-  ArraysOfPoints OfPoints() const
-  {
-    return { this->Surface.Relation, this->Input, this->Output->GetPointData(), this->Context };
-  }
-
-  const FramedSurface Surface;
+  const SurfaceView& View;
   const Unfilled<Corner>& Corners;
-  vtkDataSet* const Input;
-  vtkDataSet* const Output;
   const ExecutionContext& Context;
 };
 
@@ -191,10 +175,11 @@ void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryPart>& l
 /// Takes away what a former decomposition has left, and this one may not make.
 void RemoveFlowArrays(vtkDataSet* surface)
 {
-  for (const std::string& name : NamesOfFlowArrays())
+  for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, SteeringFlow, NormalComponent,
+         Potential, StreamFunction, Divergence, Vorticity })
   {
-    surface->GetCellData()->RemoveArray(name.c_str());
-    surface->GetPointData()->RemoveArray(name.c_str());
+    surface->GetCellData()->RemoveArray(name);
+    surface->GetPointData()->RemoveArray(name);
   }
 }
 
@@ -272,28 +257,15 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 
 }
 
-std::vector<std::string> NamesOfParts()
-{
-  return { GradientPart, RotationalPart, HarmonicPart, Residual, SteeringFlow };
-}
-
-std::vector<std::string> NamesOfFlowArrays()
-{
-  std::vector<std::string> names = NamesOfParts();
-  names.insert(names.end(), { NormalComponent, Potential, StreamFunction, Divergence, Vorticity });
-  return names;
-}
-
-void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const SolverOptions& options,
+void FlowSurface::SetSurface(const std::shared_ptr<const PreparedDataSet>& surface, const SolverOptions& options,
   bool isGlobe, const ExecutionContext& context)
 {
-  auto prepared = PrepareDataSet(input, preparation, context);
-  if (this->Prepared != prepared)
+  if (this->Prepared != surface)
   {
-    const FramedMesh& on = prepared->Geometry;
+    const FramedMesh& on = surface->Geometry;
     auto corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
     this->Forget();
-    this->Prepared = std::move(prepared);
+    this->Prepared = surface;
     this->CornersOfFaces = std::move(corners);
   }
   if (!this->Decomposition || !(this->Options == options) || this->IsGlobe != isGlobe)
@@ -324,9 +296,10 @@ HodgeDecomposition::StageCounts FlowSurface::Counts() const
   return counts;
 }
 
-std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
-  vtkDataSet* output, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context)
+std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options,
+  const SurfaceView& view, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context)
 {
+  vtkDataSet* const output = view.Output();
   const FramedMesh& on = this->Prepared->Geometry;
   const StoppingCriteria stop{ 1e-11, 200 };
   const DecomposedFlow parts =
@@ -335,7 +308,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   const double scale = options.LengthScale;
   const SidesOfSurface& sides = this->Decomposition->Sides();
   AddPositiveSide(sides, output->GetFieldData());
-  const FlowArrays arrays(this->Surface(), this->CornersOfFaces, input, output, context);
+  const FlowArrays arrays(view, this->CornersOfFaces, context);
   arrays.AddPart(GradientPart, parts.Gradient);
   arrays.AddPart(RotationalPart, parts.Rotational);
   context.Checkpoint(0.9);
@@ -344,7 +317,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   arrays.AddPart(SteeringFlow, parts.Steering);
   if (flow.Normal.size() > 0)
   {
-    arrays.OfCells().Add(NormalComponent, 1, flow.Normal.data());
+    view.OfCells(context).Add(NormalComponent, 1, flow.Normal.data());
   }
   arrays.AddFunction(Potential, parts.Potential, scale);
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
@@ -362,12 +335,14 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
     arrays.AddNumbers(BoundaryHalfCell, scale * HalfCells(on.Mesh, this->Decomposition->Boundaries()));
   }
   MakeBoundaries(on.Mesh, this->Decomposition->Boundaries(), parts, options, boundaries);
+  view.LinesBack(boundaries);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational || options.Parts.Steering;
   AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)
   {
     output->GetPointData()->SetActiveScalars(StreamFunction);
     MakeStreamlines(on, parts.StreamFunction, sides, options, streamlines, context);
+    view.LinesBack(streamlines);
   }
   context.Checkpoint(1.0);
   return parts.Warnings;

@@ -3,6 +3,7 @@
 
 #include "Adapters/Input/FlowFromArrays.h"
 #include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Flows/HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -12,7 +13,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataSet;
 class vtkPolyData;
 
 namespace dmg
@@ -30,11 +30,6 @@ struct FlowOptions
   bool IsOfCentres = false;  ///< the surface ends at the centres of cells, half a cell before its boundary
 };
 
-/// The arrays of vectors among those that FlowSurface adds.
-std::vector<std::string> NamesOfParts();
-/// All arrays of cells and points that FlowSurface adds.
-std::vector<std::string> NamesOfFlowArrays();
-
 /// A HodgeDecomposition for the surface of a dataset, and the arrays that show its parts; kept for the next flow on the same surface. Keys
 /// are contents, not modification times.
 class FlowSurface
@@ -42,22 +37,17 @@ class FlowSurface
 public:
   /// Takes another surface or solver, if it is another.
   /// \param isGlobe see HodgeDecomposition.
-  /// \throw InvalidInput as MeshFromDataSet.
-  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const SolverOptions& options, bool isGlobe,
+  void SetSurface(const std::shared_ptr<const PreparedDataSet>& surface, const SolverOptions& options, bool isGlobe,
     const ExecutionContext& context);
   /// \param isOpen by edge; see HodgeDecomposition.
   void SetBoundary(const std::vector<char>& isOpen) { this->Decomposition->SetBoundary(isOpen); }
 
-  /// The things that were done to the surface.
-  const PreparationReport& Preparation() const { return this->Prepared->Report; }
-  FramedSurface Surface() const { return this->Prepared->Surface(); }
-
-  /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
+  /// Adds the arrays of vtkHodgeDecomposition to the output of a view of the surface.
   /// \param streamlines, boundaries empty outputs; become the contours of the stream function, and the boundaries of the surface.
   /// \return warnings for the user.
   /// \throw InvalidInput as HodgeDecomposition; there is no boundary of the number ReferenceBoundary.
-  std::vector<std::string> Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
-    vtkDataSet* output, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context);
+  std::vector<std::string> Decompose(const FaceFlow& flow, const FlowOptions& options, const SurfaceView& view,
+    vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context);
 
   /// Over all surfaces.
   HodgeDecomposition::StageCounts Counts() const;

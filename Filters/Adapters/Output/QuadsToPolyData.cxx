@@ -69,10 +69,10 @@ void LeaveOut(Attributes* attributes)
   attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
 }
 
-void InterpolatePoints(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDataSet* input, vtkPolyData* output)
+void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
   const vtkIdType size = quads.Positions.rows();
-  const auto from = ArraysOf(input->GetPointData(), input->GetNumberOfPoints());
+  const auto from = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
   vtkPointData* const to = output->GetPointData();
   LeaveOut(to);
   to->InterpolateAllocate(from, size);
@@ -86,13 +86,13 @@ void InterpolatePoints(const QuadMesh& quads, const CrossesOfSurface& surface, v
     Vector3 normal = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const int corner = surface.Surface->Geometry.Mesh.Tail(3 * place.Face + k);
-      corners->SetId(k, surface.Surface->Relation.PointOf(corner));
-      normal += place.Weights[k] * surface.Surface->Geometry.Vertices.Normal(corner);
+      const int corner = view.Mesh().Tail(3 * place.Face + k);
+      corners->SetId(k, view.Relation().PointOf(corner));
+      normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
     }
     to->InterpolatePoint(from, vertex, corners, place.Weights.data());
     normals->SetTuple(vertex,
-      (normal.norm() > 0.0 ? normal.normalized() : surface.Surface->Geometry.Faces.Normal(place.Face)).eval().data());
+      (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
   }
   to->SetNormals(normals);
 }
@@ -124,7 +124,7 @@ int IrregularityOf(const QuadMesh& quads, int vertex)
 
 }
 
-void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDataSet* input, vtkPolyData* output)
+void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
   const auto points = NewPoints(quads.Positions.rows());
   const auto irregular = NewIntegers("Irregular", quads.Positions.rows());
@@ -137,7 +137,7 @@ void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtk
   const auto jacobians = NewArray("ScaledJacobian", 1, size);
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(input->GetCellData(), input->GetNumberOfCells());
+  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
   LeaveOut(ofCells);
   ofCells->CopyAllocate(givenToCells, size);
   AllowAnyNumber(ofCells);
@@ -145,25 +145,25 @@ void QuadsToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtk
   {
     const auto& corners = quads.Quads[quad];
     cells->InsertNextCell({ corners[0], corners[1], corners[2], corners[3] });
-    ofCells->CopyData(givenToCells, surface.Surface->Relation.CellOf(quads.Faces[quad]), quad);
+    ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Faces[quad]), quad);
     jacobians->SetValue(quad, quads.ScaledJacobians[quad]);
   }
   output->SetPoints(points);
   output->SetPolys(cells);
-  InterpolatePoints(quads, surface, input, output);
+  InterpolatePoints(quads, view, output);
   output->GetPointData()->AddArray(irregular);
   ofCells->AddArray(jacobians);
   AddReport(quads.Report, output->GetFieldData());
 }
 
-void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDataSet* input, vtkPolyData* output)
+void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = surface.Surface->Geometry.Mesh;
+  const TriangleMesh& mesh = view.Mesh();
   std::map<std::tuple<int, FixedPoint, FixedPoint>, vtkIdType> numbers; // of corners with the same coordinates
   std::vector<int> halfedges;                                           // one for each of these
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(input->GetCellData(), input->GetNumberOfCells());
+  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
   LeaveOut(ofCells);
   ofCells->CopyAllocate(givenToCells, mesh.NumberOfFaces());
   AllowAnyNumber(ofCells);
@@ -182,13 +182,13 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
       corners[k] = number->second;
     }
     cells->InsertNextCell({ corners[0], corners[1], corners[2] });
-    ofCells->CopyData(givenToCells, surface.Surface->Relation.CellOf(face), face);
+    ofCells->CopyData(givenToCells, view.Relation().CellOf(face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto points = NewPoints(size);
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
-  const auto givenToPoints = ArraysOf(input->GetPointData(), input->GetNumberOfPoints());
+  const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
   LeaveOut(ofPoints);
   ofPoints->CopyAllocate(givenToPoints, size);
   AllowAnyNumber(ofPoints);
@@ -196,7 +196,7 @@ void MapToPolyData(const QuadMesh& quads, const CrossesOfSurface& surface, vtkDa
   {
     const int h = halfedges[point];
     points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    ofPoints->CopyData(givenToPoints, surface.Surface->Relation.PointOf(mesh.Tail(h)), point);
+    ofPoints->CopyData(givenToPoints, view.Relation().PointOf(mesh.Tail(h)), point);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));

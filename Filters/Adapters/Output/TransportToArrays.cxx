@@ -37,14 +37,13 @@ void RemoveTransportArrays(vtkDataSet* surface)
   }
 }
 
-void TransportSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation,
+void TransportSurface::SetSurface(const std::shared_ptr<const PreparedDataSet>& surface,
   const TransportOptions& options, const ExecutionContext& context)
 {
-  auto prepared = PrepareDataSet(input, preparation, context);
-  if (this->Prepared != prepared)
+  if (this->Prepared != surface)
   {
     this->Forget();
-    this->Prepared = std::move(prepared);
+    this->Prepared = surface;
   }
   if (!this->Transport || this->Options.TimeStep != options.TimeStep)
   {
@@ -121,17 +120,15 @@ void AddNumber(const char* name, int number, vtkDataSet* output)
 }
 
 std::vector<std::string> TransportSurface::AddVectors(
-  const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context)
+  const Constraints& sources, const SurfaceView& view, const ExecutionContext& context)
 {
   const FramedMesh& on = this->Prepared->Geometry;
-  CheckSizes(sources, this->Prepared->Relation.Names());
+  CheckSizes(sources, view.Relation().Names());
   const TransportedField field = this->Transport->Carry(sources, context);
-  ArraysOfCells(on.Mesh, this->Prepared->Relation, input, output->GetCellData(), context)
-    .AddVectors(TransportedVectors, on.Faces, field.OnFaces);
-  ArraysOfPoints(this->Prepared->Relation, input, output->GetPointData(), context)
-    .AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
-  output->GetPointData()->SetActiveVectors(TransportedVectors);
-  AddNumber(PointsWithoutSource, field.WithoutSource, output);
+  view.OfCells(context).AddVectors(TransportedVectors, on.Faces, field.OnFaces);
+  view.OfPoints(context).AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
+  view.Output()->GetPointData()->SetActiveVectors(TransportedVectors);
+  AddNumber(PointsWithoutSource, field.WithoutSource, view.Output());
   return field.Warnings;
 }
 
@@ -159,14 +156,14 @@ void MakeCircles(const TriangleMesh& mesh, const Vector<double>& distances, int 
 
 }
 
-void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles, vtkDataSet* input,
-  vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context)
+void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles,
+  const SurfaceView& view, vtkPolyData* circles, const ExecutionContext& context)
 {
+  vtkDataSet* const output = view.Output();
   const FramedMesh& on = this->Prepared->Geometry;
   const dmg::LogarithmicMap map =
     this->Transport->Map(from.Vertex, on.Vertices.ToComplex(from.Vertex, from.Direction), context);
-  const ArraysOfPoints arrays(
-    this->Prepared->Relation, input, output->GetPointData(), context, std::numeric_limits<double>::quiet_NaN());
+  const ArraysOfPoints arrays = view.OfPoints(context, std::numeric_limits<double>::quiet_NaN());
   const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
   const double size = textureSize > 0.0 ? textureSize : 2.0 * KnownDistances(map.Distances).maxCoeff();
   const Vector<double> inTexture =
@@ -182,10 +179,11 @@ void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, i
   }
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
-  AddNumber(MapPoint, this->Prepared->Relation.PointOf(from.Vertex), output);
+  AddNumber(MapPoint, view.Relation().PointOf(from.Vertex), output);
   AddNumber(PointsWithoutMap, map.Unreached, output);
   AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
   MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
+  view.LinesBack(circles);
 }
 
 }

@@ -1,7 +1,7 @@
 #ifndef dmgTransportToArrays_h
 #define dmgTransportToArrays_h
 
-#include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/SurfaceView.h"
 #include "Constraints/Constraints.h"
 #include "Geodesics/ParallelTransport.h"
 #include "Support/ExecutionContext.h"
@@ -33,28 +33,25 @@ class TransportSurface
 {
 public:
   /// Takes another surface or time step, if it is another.
-  /// \throw InvalidInput as MeshFromDataSet; the time step is out of range.
-  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const TransportOptions& options,
+  /// \throw InvalidInput the time step is out of range.
+  void SetSurface(const std::shared_ptr<const PreparedDataSet>& surface, const TransportOptions& options,
     const ExecutionContext& context);
-
-  const PreparationReport& Preparation() const { return this->Prepared->Report; }
-  FramedSurface Surface() const { return this->Prepared->Surface(); }
 
   /// A direction at the vertex that is nearest to a place, the first of several; without a place, at VertexInFront.
   /// \throw InvalidInput the place is not finite; the direction is zero or not finite.
   PlacedDirection Place(const std::optional<Vector3>& place, const Vector3& direction) const;
 
-  /// Adds TransportedVectors to \p output, a copy of the \p input.
+  /// Adds TransportedVectors to the output of a view of the surface.
   /// \throw InvalidInput a vector is too long or too short to compute with.
   /// \return warnings for the user.
   std::vector<std::string> AddVectors(
-    const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context);
+    const Constraints& sources, const SurfaceView& view, const ExecutionContext& context);
 
   /// Adds the arrays of the logarithmic map.
   /// \param textureSize the side of the square that a texture covers; 0: twice the largest distance.
   /// \param circles an empty output; becomes \p numberOfCircles lines of equal distance, evenly spaced.
-  void AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles, vtkDataSet* input,
-    vtkDataSet* output, vtkPolyData* circles, const ExecutionContext& context);
+  void AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles, const SurfaceView& view,
+    vtkPolyData* circles, const ExecutionContext& context);
 
   /// Held by factors.
   long long Bytes() const { return this->Transport->Bytes(); }

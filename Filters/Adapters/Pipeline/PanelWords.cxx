@@ -1,5 +1,7 @@
 #include "Adapters/Pipeline/PanelWords.h"
 
+#include "vtkAlgorithm.h"
+
 #include <array>
 
 namespace dmg
@@ -78,6 +80,17 @@ std::string InPanelWords(std::string message)
     }
   }
   return message;
+}
+
+void Warn(vtkAlgorithm* algorithm, const std::vector<std::string>& texts)
+{
+  for (const std::string& text : texts)
+  {
+    if (!text.empty())
+    {
+      vtkWarningWithObjectMacro(algorithm, << InPanelWords(text));
+    }
+  }
 }
 
 }

@@ -4,6 +4,9 @@
 #include "Support/Remedy.h"
 
 #include <string>
+#include <vector>
+
+class vtkAlgorithm;
 
 namespace dmg
 {
@@ -13,6 +16,9 @@ std::string PanelTextOf(Remedy remedy);
 
 /// A message of the core with its remedies in these words.
 std::string InPanelWords(std::string message);
+
+/// Warns of each text that is not empty, in these words.
+void Warn(vtkAlgorithm* algorithm, const std::vector<std::string>& texts);
 
 }
 

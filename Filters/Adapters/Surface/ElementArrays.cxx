@@ -37,7 +37,7 @@ void ArraysOfCells::ForCells(const std::vector<double*>& arrays, int components,
         arrays, components, [this](int cell) { return this->Surface.FacesOf(cell); }, write);
 }
 
-void ArraysOfCells::Add(const std::string& name, int components, const double* values) const
+void ArraysOfCells::Write(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);
   const auto mean = [&](double* tuple, const ElementRow& faces)
@@ -80,6 +80,7 @@ void ArraysOfCells::AddSums(const std::string& name, const double* values) const
         tuples[cell] += this->Surface.CellOf(face) == cell ? values[face] : 0.0;
       }
     });
+  this->Finish(name, false);
 }
 
 void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) const
@@ -87,12 +88,14 @@ void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) 
   double* const tuples = this->NewTuples(name, 1);
   this->ForCells({ tuples }, 1,
     [&](vtkIdType cell, const ElementRow& faces) { tuples[cell] = values[LargestFace(this->Mesh, faces)]; });
+  this->Finish(name, false);
 }
 
 void ArraysOfCells::AddDirection(
   const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const
 {
-  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, true, 1));
+  this->WriteDirections({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, true, 1));
+  this->Finish(name, true);
 }
 
 void ArraysOfCells::AddPowers(
@@ -113,15 +116,17 @@ void ArraysOfCells::AddPowers(
       tuples[2 * cell] = power.real();
       tuples[2 * cell + 1] = power.imag();
     });
+  this->Finish(name, false);
 }
 
 void ArraysOfCells::AddDirections(
   const TangentFrames& frames, const Vector<Complex>& firstDirections, const DirectionVectors& vectors) const
 {
-  this->Write(this->NewDirections(vectors.Visited), frames, firstDirections, vectors.N, vectors);
+  this->WriteDirections(this->NewDirections(vectors.Visited), frames, firstDirections, vectors.N, vectors);
+  this->FinishDirections(vectors.Visited);
 }
 
-void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrames& frames,
+void ArraysOfCells::WriteDirections(const std::vector<double*>& arrays, const TangentFrames& frames,
   const Vector<Complex>& directions, int N, const DirectionVectors& vectors) const
 {
   const CellDirections means(this->Mesh, frames, N);
@@ -162,7 +167,7 @@ void ArraysOfPoints::ForPoints(const std::vector<double*>& arrays, int component
         arrays, components, [this](int point) { return this->Surface.VerticesOf(point); }, write);
 }
 
-void ArraysOfPoints::Add(const std::string& name, int components, const double* values) const
+void ArraysOfPoints::Write(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);
   this->ForPoints({ tuples }, components,
@@ -185,6 +190,7 @@ void ArraysOfPoints::AddSums(const std::string& name, const double* values) cons
         tuples[point] += this->Surface.PointOf(vertex) == point ? values[vertex] : 0.0;
       }
     });
+  this->Finish(name, false);
 }
 
 void ArraysOfPoints::AddDirections(
@@ -197,6 +203,7 @@ void ArraysOfPoints::AddDirections(
       vectors.VisitAt(frames, vertices.front(), firstDirections[vertices.front()],
         [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, arrays[k] + 3 * point); });
     });
+  this->FinishDirections(vectors.Visited);
 }
 
 void AddOnEdges(const TriangleMesh& mesh, const SurfaceRelation& surface, const std::string& name,

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,17 +28,31 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
+/// An array that was added to a dataset.
+struct AddedArray
+{
+  vtkDataArray* Array;
+  bool IsOfPoints; ///< else of cells
+  bool AreVectors; ///< in the coordinates of the surface, rather than numbers
+};
+
+/// A function that each array goes through once it is filled; it may be empty.
+using ArrayChange = std::function<void(const AddedArray&)>;
+
 /// Arrays with a tuple for each cell or point of the surface; where these are no elements of the mesh, zero or another number.
 class ArraysOfElements
 {
 protected:
   static constexpr int Grain = 8192;
 
-  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context, double elsewhere)
+  ArraysOfElements(vtkFieldData* data, bool areOfPoints, vtkIdType tuples, const ExecutionContext& context,
+    double elsewhere, ArrayChange change)
     : Data(data)
+    , AreOfPoints(areOfPoints)
     , Tuples(static_cast<int>(tuples)) // MeshFromDataSet has seen to it
     , Context(context)
     , Elsewhere(elsewhere)
+    , Change(std::move(change))
   {
   }
 
@@ -56,6 +71,23 @@ protected:
       tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
     }
     return tuples;
+  }
+
+  /// Calls the change of a filled array.
+  void Finish(const std::string& name, bool areVectors) const
+  {
+    if (this->Change)
+    {
+      this->Change({ this->Data->GetArray(name.c_str()), this->AreOfPoints, areVectors });
+    }
+  }
+
+  void FinishDirections(int number) const
+  {
+    for (int k = 0; k < number; ++k)
+    {
+      this->Finish(ArrayNames::Direction(k), true);
+    }
   }
 
   /// Vectors of a field in frames.
@@ -99,9 +131,11 @@ protected:
   }
 
   vtkFieldData* const Data;
+  const bool AreOfPoints;
   const int Tuples;
   const ExecutionContext& Context;
   const double Elsewhere; ///< where there are no elements
+  const ArrayChange Change;
 };
 
 /// Arrays of cells. A cell of several faces has the mean of theirs, by area.
@@ -109,20 +143,31 @@ class ArraysOfCells : public ArraysOfElements
 {
 public:
   ArraysOfCells(const TriangleMesh& mesh, const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data,
-    const ExecutionContext& context, double elsewhere = 0.0)
-    : ArraysOfElements(data, input->GetNumberOfCells(), context, elsewhere)
+    const ExecutionContext& context, double elsewhere = 0.0, ArrayChange change = {})
+    : ArraysOfElements(data, false, input->GetNumberOfCells(), context, elsewhere, std::move(change))
     , Mesh(mesh)
     , Surface(surface)
   {
   }
 
   /// \param values of each face, one after the other.
-  void Add(const std::string& name, int components, const double* values) const;
+  void Add(const std::string& name, int components, const double* values) const
+  {
+    this->Write(name, components, values);
+    this->Finish(name, false);
+  }
+
+  /// Adds a vector in space of each face. \param values three numbers for each, one after the other.
+  void AddVectors(const std::string& name, const double* values) const
+  {
+    this->Write(name, 3, values);
+    this->Finish(name, true);
+  }
 
   /// Adds a tangent vector of each face.
   void AddVectors(const std::string& name, const TangentFrames& frames, const Vector<Complex>& field) const
   {
-    this->Add(name, 3, this->InSpace(frames, field).data());
+    this->AddVectors(name, this->InSpace(frames, field).data());
   }
 
   /// Adds numbers that are summed over a surface: a cell has the sum of those of its faces, and none of a twin's.
@@ -148,8 +193,9 @@ public:
 private:
   template <class WriteRow>
   void ForCells(const std::vector<double*>& arrays, int components, const WriteRow& write) const;
-  void Write(const std::vector<double*>& arrays, const TangentFrames& frames, const Vector<Complex>& directions, int N,
-    const DirectionVectors& vectors) const;
+  void Write(const std::string& name, int components, const double* values) const;
+  void WriteDirections(const std::vector<double*>& arrays, const TangentFrames& frames,
+    const Vector<Complex>& directions, int N, const DirectionVectors& vectors) const;
 
   const TriangleMesh& Mesh;
   const SurfaceRelation& Surface;
@@ -160,19 +206,30 @@ class ArraysOfPoints : public ArraysOfElements
 {
 public:
   ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context,
-    double elsewhere = 0.0)
-    : ArraysOfElements(data, input->GetNumberOfPoints(), context, elsewhere)
+    double elsewhere = 0.0, ArrayChange change = {})
+    : ArraysOfElements(data, true, input->GetNumberOfPoints(), context, elsewhere, std::move(change))
     , Surface(surface)
   {
   }
 
   /// \param values of each vertex, one after the other.
-  void Add(const std::string& name, int components, const double* values) const;
+  void Add(const std::string& name, int components, const double* values) const
+  {
+    this->Write(name, components, values);
+    this->Finish(name, false);
+  }
+
+  /// Adds a vector in space of each vertex. \param values three numbers for each, one after the other.
+  void AddVectors(const std::string& name, const double* values) const
+  {
+    this->Write(name, 3, values);
+    this->Finish(name, true);
+  }
 
   /// Adds a tangent vector of each vertex.
   void AddVectors(const std::string& name, const TangentFrames& frames, const Vector<Complex>& field) const
   {
-    this->Add(name, 3, this->InSpace(frames, field).data());
+    this->AddVectors(name, this->InSpace(frames, field).data());
   }
 
   /// A number that is summed over a surface: a point has the sum of those of its vertices, and of points that were joined
@@ -186,6 +243,7 @@ public:
 private:
   template <class WriteRow>
   void ForPoints(const std::vector<double*>& arrays, int components, const WriteRow& write) const;
+  void Write(const std::string& name, int components, const double* values) const;
 
   const SurfaceRelation& Surface;
 };

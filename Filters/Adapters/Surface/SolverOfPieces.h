@@ -2,7 +2,7 @@
 #define dmgSolverOfPieces_h
 
 #include "Adapters/Ranks/RanksOfPipeline.h"
-#include "Adapters/Surface/SolverOfDataSet.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Pieces/FieldSolverInPieces.h"
 #include "Support/ExecutionContext.h"
 
@@ -17,7 +17,7 @@ namespace dmg
 
 /// A FieldSolverInPieces for the datasets of all ranks, each of which has a piece of a surface. A filter keeps it from one execution to
 /// the next, as a SolverOfSurface. Keys are contents. Functions that are not const are collective.
-class SolverOfPieces : public SolverOfDataSet
+class SolverOfPieces
 {
 public:
   /// Takes another surface, if the content of a piece is another on any rank.
@@ -34,9 +34,11 @@ public:
   const FramedSurface* Own() const { return this->OwnSurface ? &*this->OwnSurface : nullptr; }
 
   /// The triangles of this rank, with those around them of others, which are no part of any cell.
-  FramedSurface Surface() const override { return { this->SolverOfMeshes->Piece().Surface(), this->Relation }; }
-  const PreparationReport& Preparation() const override { return this->PreparationOfPiece; }
-  double SetupSeconds(const Field& field) const override;
+  FramedSurface Surface() const { return { this->SolverOfMeshes->Piece().Surface(), this->Relation }; }
+  /// The changes that made the piece a mesh.
+  const PreparationReport& Preparation() const { return this->PreparationOfPiece; }
+  /// The sum over the surface and the set-up of a field on it.
+  double SetupSeconds(const Field& field) const;
 
   /// Over all surfaces.
   StageCounts Counts() const;

@@ -3,7 +3,6 @@
 
 #include "Adapters/Surface/OperatorsToFieldData.h"
 #include "Adapters/Surface/PreparedDataSet.h"
-#include "Adapters/Surface/SolverOfDataSet.h"
 #include "FieldSolver.h"
 #include "Support/ExecutionContext.h"
 
@@ -18,8 +17,8 @@ namespace dmg
 {
 
 /// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
-/// the surface brings along.
-class SolverOfSurface : public SolverOfDataSet
+/// the surface brings along. Keys are contents, not modification times.
+class SolverOfSurface
 {
 public:
   /// Takes another surface, if its content is another, and the operators that it brings along if the solver wants them
@@ -31,9 +30,11 @@ public:
 
   FieldSolver& Solver() { return *this->SolverOfMesh; }
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
-  FramedSurface Surface() const override { return this->Prepared->Surface(); }
-  const PreparationReport& Preparation() const override { return this->Prepared->Report; }
-  double SetupSeconds(const Field& field) const override;
+  FramedSurface Surface() const { return this->Prepared->Surface(); }
+  /// The changes that made the surface a mesh.
+  const PreparationReport& Preparation() const { return this->Prepared->Report; }
+  /// The sum over the surface, its operators, and the set-up of a field on it.
+  double SetupSeconds(const Field& field) const;
 
   /// Over all surfaces.
   StageCounts Counts() const;

@@ -78,9 +78,11 @@ struct UnusableDirections
   long long Zero = 0;
   long long Perpendicular = 0; ///< to the surface: less than 1e-6 of the length is along it
   long long NotSymmetric = 0;  ///< tensors, whose symmetric part is used
+  std::string
+    FillValues = {}; ///< a sentence about numbers that may stand where nothing was measured; such directions are not left out
 
   bool AreLeftOut() const { return this->NotFinite > 0 || this->Zero > 0 || this->Perpendicular > 0; }
-  bool AreNone() const { return !this->AreLeftOut() && this->NotSymmetric == 0; }
+  bool AreNone() const { return !this->AreLeftOut() && this->NotSymmetric == 0 && this->FillValues.empty(); }
 };
 
 /// Leaves out directions that are not finite, zero, or perpendicular to the surface, as measured data have some.

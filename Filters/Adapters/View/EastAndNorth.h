@@ -1,7 +1,7 @@
 #ifndef dmgEastAndNorth_h
 #define dmgEastAndNorth_h
 
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 
 namespace dmg
 {

@@ -1,15 +1,13 @@
-#include "Adapters/Surface/GlobeLayout.h"
+#include "Adapters/View/GlobeLayout.h"
 
 #include "Adapters/Data/HiddenCells.h"
 #include "Adapters/Ranks/NearPlaces.h"
-#include "Support/Types.h"
+#include "Adapters/View/EastAndNorth.h"
+#include "Flows/PeriodicSurfaces.h"
+#include "Mesh/Globe.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
@@ -127,29 +125,23 @@ private:
   const NearPlaces Near;
 };
 
-void Copy(vtkDataArray* array, const std::vector<std::pair<vtkIdType, vtkIdType>>& pairs)
-{
-  for (std::size_t k = 0; array && k < pairs.size(); ++k)
-  {
-    array->SetTuple(pairs[k].first, pairs[k].second, array);
-  }
-}
-
 }
 
 GlobeLayout::GlobeLayout(vtkDataSet* globe, const Vector3& axis)
-  : Result(globe)
+  : Axis(UnitAxis(axis))
 {
+  this->Result = globe;
   if (vtkPointSet::SafeDownCast(globe) && vtkPointSet::SafeDownCast(globe)->GetPoints())
   {
-    this->MovePointsBeyondPoles(axis.normalized());
+    this->MovePointsBeyondPoles();
     this->HideTwins();
   }
 }
 
-void GlobeLayout::MovePointsBeyondPoles(const Vector3& axis)
+void GlobeLayout::MovePointsBeyondPoles()
 {
   vtkDataSet* const globe = this->Result;
+  const Vector3& axis = this->Axis;
   enum Use : char
   {
     Over = 1,     // by cells that reach over a pole
@@ -238,13 +230,22 @@ void GlobeLayout::HideTwins()
   this->Result = WithHidden(globe, isHidden);
 }
 
-void GlobeLayout::CopyToTwins(vtkDataSet* output, const std::vector<std::string>& names) const
+bool GlobeLayout::IsPole(const Vector3& place) const
 {
-  for (const std::string& name : names)
+  return DirectionsOnGlobe(this->Axis, place).East.isZero(0.0);
+}
+
+void GlobeLayout::ArrayBack(const AddedArray& added, const SurfaceRelation&) const
+{
+  for (const auto& [twin, other] : added.IsOfPoints ? this->TwinPoints : this->TwinCells)
   {
-    Copy(output->GetPointData()->GetArray(name.c_str()), this->TwinPoints);
-    Copy(output->GetCellData()->GetArray(name.c_str()), this->TwinCells);
+    added.Array->SetTuple(twin, other, added.Array);
   }
+}
+
+std::string GlobeLayout::Warning(const TriangleMesh& mesh) const
+{
+  return WarningOfSlit(mesh, this->Axis);
 }
 
 }

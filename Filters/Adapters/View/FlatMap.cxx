@@ -1,4 +1,4 @@
-#include "Adapters/Surface/FlatMap.h"
+#include "Adapters/View/FlatMap.h"
 
 #include "Mesh/Globe.h"
 #include "Support/Errors.h"
@@ -85,19 +85,6 @@ vtkSmartPointer<vtkPointSet> CellsOf(vtkDataSet* map)
   return { grid.Get() };
 }
 
-/// Calls visit(tuple, its vector) for the tuples of an array.
-template <class Visit>
-void ChangeVectors(vtkDataArray* array, const Visit& visit)
-{
-  for (vtkIdType tuple = 0; array && tuple < array->GetNumberOfTuples(); ++tuple)
-  {
-    Vector3 vector;
-    array->GetTuple(tuple, vector.data());
-    vector = visit(tuple, vector);
-    array->SetTuple(tuple, vector.data());
-  }
-}
-
 Vector3 OnMap(const Vector3& place, const Vector3& vector)
 {
   const GlobeDirections at = DirectionsAt(place.x(), place.y());
@@ -117,7 +104,8 @@ Vector3 CentreOf(vtkDataSet* map, vtkIdType cell, vtkIdList* points)
 
 }
 
-vtkSmartPointer<vtkDataSet> GlobeOfMap(vtkDataSet* map)
+FlatMap::FlatMap(vtkDataSet* map)
+  : Map(map)
 {
   CheckIsMap(map);
   const vtkSmartPointer<vtkPointSet> globe = CellsOf(map);
@@ -130,22 +118,28 @@ vtkSmartPointer<vtkDataSet> GlobeOfMap(vtkDataSet* map)
     points->SetPoint(point, OnUnitSphere(place.x(), std::clamp(place.y(), -90.0, 90.0)).data());
   }
   globe->SetPoints(points);
-  return globe;
+  this->Result = globe;
 }
 
-void TurnToMap(vtkDataSet* map, vtkDataSet* output, const std::vector<std::string>& names)
+Vector3 FlatMap::VectorForth(const Vector3& vector, const Vector3& place) const
+{
+  const GlobeDirections at = DirectionsOnGlobe(Vector3::UnitZ(), place);
+  return vector[0] * at.East + vector[1] * at.North + vector[2] * at.Up;
+}
+
+void FlatMap::ArrayBack(const AddedArray& added, const SurfaceRelation&) const
 {
   vtkNew<vtkIdList> points;
-  for (const std::string& name : names)
+  for (vtkIdType tuple = 0; added.AreVectors && tuple < added.Array->GetNumberOfTuples(); ++tuple)
   {
-    ChangeVectors(output->GetPointData()->GetArray(name.c_str()),
-      [&](vtkIdType point, const Vector3& vector) { return OnMap(PointOf(map, point), vector); });
-    ChangeVectors(output->GetCellData()->GetArray(name.c_str()),
-      [&](vtkIdType cell, const Vector3& vector) { return OnMap(CentreOf(map, cell, points), vector); });
+    Vector3 vector;
+    added.Array->GetTuple(tuple, vector.data());
+    vector = OnMap(added.IsOfPoints ? PointOf(this->Map, tuple) : CentreOf(this->Map, tuple, points), vector);
+    added.Array->SetTuple(tuple, vector.data());
   }
 }
 
-void TakeLinesToMap(vtkDataSet* map, vtkPolyData* lines)
+void FlatMap::LinesBack(vtkPolyData* lines) const
 {
   vtkPoints* const points = lines->GetPoints();
   if (!points)
@@ -153,7 +147,7 @@ void TakeLinesToMap(vtkDataSet* map, vtkPolyData* lines)
     return;
   }
   double bounds[6];
-  map->GetBounds(bounds);
+  this->Map->GetBounds(bounds);
   const double middle = 0.5 * (bounds[0] + bounds[1]);
   for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
   {

@@ -82,7 +82,7 @@ std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions
 Eigen::Matrix3d TensorOf(const double* numbers, int components);
 bool HoldsTensors(vtkDataArray* array);
 
-/// The mask, vectors and weights of a dataset. Eastward components come as vectors of 1 number.
+/// The mask, vectors and weights of a dataset. Eastward components come as vectors of 1 number, and northward ones beside them.
 /// \param whose how messages call the dataset, as in "the surface".
 /// \param takesTensors whether directions may be tensors, vectors of 2 numbers, or components as well.
 /// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
@@ -105,8 +105,8 @@ struct ElementDirection
 /// nothing was measured, and those whose vector is zero although the mask is not, are passed over.
 /// \param arrays found by FindArrays. \param whose the name of the dataset in messages.
 /// \param takesPart elements for which it is false are passed over, whatever they hold.
-/// \return the numbers of elements that are passed over for what they hold.
-/// \throw InvalidInput a weight is negative or infinite.
+/// \return the numbers of elements that are passed over for what they hold, and what is said of fill values.
+/// \throw InvalidInput a weight is negative or infinite; as SuspectedFillValues, of the vectors that are visited.
 UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* dataset, const std::string& whose,
   const DirectionReader& directionOf, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit);

@@ -1,4 +1,4 @@
-#include "Adapters/Input/EastAndNorth.h"
+#include "Adapters/View/EastAndNorth.h"
 
 #include "Mesh/Globe.h"
 #include "Support/Errors.h"

@@ -1,7 +1,8 @@
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/View/ChosenArrays.h"
 
-#include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/View/EastAndNorth.h"
+#include "Adapters/View/FillValues.h"
 #include "Mesh/PositiveSide.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
@@ -14,6 +15,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -231,7 +233,9 @@ ConstraintArrays FindArrays(
         " of its directions are not both on points or both on cells; choose arrays of one kind");
     }
   }
-  return { mask, vectors, weights };
+  ConstraintArrays found{ mask, vectors, weights };
+  found.Northward = components.Northward;
+  return found;
 }
 
 UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* dataset, const std::string& whose,
@@ -244,6 +248,7 @@ UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* d
   { return chosen.Array ? chosen.Array->GetComponent(element, 0) : otherwise; };
   const vtkIdType size = vectors ? dataset->GetNumberOfElements(arrays.Vectors.Association) : 0;
   std::vector<double> numbers(vectors ? vectors->GetNumberOfComponents() : 0);
+  std::vector<char> isLeftOut(size, 1);
   for (vtkIdType element = 0; element < size; ++element)
   {
     vectors->GetTuple(element, numbers.data());
@@ -271,9 +276,13 @@ UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* d
     }
     else
     {
+      isLeftOut[element] = 0;
       visit({ element, vector, weight });
     }
   }
+  std::vector<vtkDataArray*> read{ vectors, arrays.Northward.Array };
+  read.erase(std::remove(read.begin(), read.end(), nullptr), read.end());
+  unusable.FillValues = SuspectedFillValues(read, isLeftOut, "directions of " + whose);
   return unusable;
 }
 
