@@ -66,6 +66,22 @@ void VisitNeighboursOfCell(const TriangleMesh& mesh, const SurfaceRelation& rela
 
 }
 
+Points VectorsOnSurface::OnFaces(const TriangleMesh& mesh) const
+{
+  if (!this->AreAtVertices)
+  {
+    return this->Values;
+  }
+  Points means(mesh.NumberOfFaces(), 3);
+  for (int face = 0; face < means.rows(); ++face)
+  {
+    const auto corners = mesh.FaceCorners().row(face);
+    means.row(face) =
+      (this->Values.row(corners[0]) + this->Values.row(corners[1]) + this->Values.row(corners[2])) / 3.0;
+  }
+  return means;
+}
+
 void SurfaceView::Prepare(const PreparationOptions& options, const ExecutionContext& context)
 {
   this->Kept = PrepareDataSet(this->Data(), options, context);

@@ -27,6 +27,9 @@ struct VectorsOnSurface
 {
   bool AreAtVertices;
   Points Values; ///< in the coordinates of the surface
+
+  /// The vectors on the faces. Of vertices, these are the means over the corners.
+  Points OnFaces(const TriangleMesh& mesh) const;
 };
 
 /// A dataset as the surface that the core sees. On the way forth, the dataset goes through the steps that a filter takes, one after the other,
