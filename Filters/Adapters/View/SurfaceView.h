@@ -46,7 +46,7 @@ public:
   {
   }
 
-  /// Takes a step after those before, if it is taken. \param arguments of its constructor, after the dataset.
+  /// Takes one more step, but for \p isTaken false. \param arguments of its constructor, after the dataset.
   template <class Step, class... Arguments>
   void TakeIf(bool isTaken, Arguments&&... arguments)
   {
