@@ -367,6 +367,29 @@ class FillValues(unittest.TestCase):
         np.testing.assert_allclose(values(result.GetPointData(), "Direction0"), np.tile([1.0, 0, 0], (961, 1)), atol=1e-6)
 
 
+class CopiesOfPoints(unittest.TestCase):
+    """Points that stand once for each cell, as of discontinuous elements, and are joined."""
+    def parts(self, data, name):
+        result = hodge(data, name)
+        return sum(values(result.GetCellData(), part) for part in ("GradientPart", "RotationalPart", "HarmonicPart", "Residual"))
+
+    def test_keep_their_own_vectors_on_the_triangles_of_their_cells(self):
+        data = polygons([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (3, 4, 5)])
+        add(data.GetPointData(), "u", np.array([(1.0, 0, 0)] * 3 + [(0, 1.0, 0)] * 3))
+        np.testing.assert_allclose(self.parts(data, "u"), [(1, 0, 0), (0, 1, 0)], atol=1e-9)
+
+    def test_of_cells_without_a_flow_do_not_count(self):
+        """The first cell is land, and its copies of the points come first."""
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        squares = [[(x + i, y + j, 0) for x, y, _ in corners] for i, j in ((0, 0), (1, 0), (0, 1), (1, 1))]
+        data = polygons(sum(squares, []), [range(4 * k, 4 * k + 4) for k in range(4)])
+        flow = np.array([(y, 1 - x, 0) for x, y, _ in sum(squares, [])], float)
+        flow[:4] = np.nan
+        add(data.GetPointData(), "u", flow)
+        expected = [(np.nan,) * 3] + [(0.5 + j, 0.5 - i, 0) for i, j in ((1, 0), (0, 1), (1, 1))]
+        np.testing.assert_allclose(self.parts(data, "u"), expected, atol=1e-9)
+
+
 class VectorsOfTwoNumbers(unittest.TestCase):
     def test_in_a_plane_are_those_of_three_for_all_filters(self):
         grid, x, y = image(21, 15, lambda x, y: np.stack([2 + np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
