@@ -11,7 +11,8 @@
  * @section vtkFieldAngles-Inputs Inputs
  *
  * Port 0: a surface with a field, as vtkFieldDrawingAlgorithm describes it. The reference is Axis, or an array of vectors on cells
- * or points, chosen with SetInputArrayToProcess(1, 0, 0, association, name). A triangle has the mean of vectors at its corners.
+ * or points, chosen with SetInputArrayToProcess(1, 0, 0, association, name), of 3 components, or 2 in a plane of constant z. A triangle has
+ * the mean of vectors at its corners.
  *
  * @section vtkFieldAngles-Output Output
  *

@@ -133,9 +133,9 @@ int vtkHodgeDecomposition::RequestData(
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     const auto arrays = edges ? dmg::VectorArrays() : dmg::ArraysOfFlow(this, view.Given(), axis);
     const bool isGlobe = isMap || arrays.AreComponents();
-    view.TakeIf<dmg::HiddenGaps>(!edges, arrays, "flow");
     view.TakeIf<dmg::FlatMap>(isMap);
     view.TakeIf<dmg::GlobeLayout>(isGlobe, axis);
+    view.TakeIf<dmg::HiddenGaps>(!edges, arrays, "flow"); // last: twins of gaps are gaps
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
 
     dmg::FlowSurface& surface = this->Internals->Surface;

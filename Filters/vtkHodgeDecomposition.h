@@ -13,14 +13,13 @@
  *
  * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
  *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of
- *   vectors at its corners.
+ *   vectors at its corners, of its own points where several were joined.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
  *   north, or for flat maps (Coordinates). They count where index 1 is chosen, instead of vectors. On the axis, the flow is the mean of
  *   the neighbours.
  *
- * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Values
- * that can only be fill values are an error: infinite ones, and those of files (1e20, 9.96921e36) at 1e8 times the median. Vectors of a
- * cell stand at the mean of its corners.
+ * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Fill
+ * values (1e20, -9999, infinite) far from the others are an error or a warning. Vectors of a cell stand at the mean of its corners.
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the

@@ -71,13 +71,18 @@ namespace
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// The vectors of the chosen array that count as sources; none where no array is chosen.
-/// \throw dmg::InvalidInput there is no such array, or none of its vectors counts.
-dmg::Constraints SourcesFromArray(vtkAlgorithm* algorithm, const dmg::SurfaceView& view)
+/// The vectors of the chosen arrays that count as sources; none where no array is chosen.
+/// \throw dmg::InvalidInput as dmg::VectorArrays, or none of the vectors counts.
+dmg::Constraints SourcesFromArrays(vtkAlgorithm* algorithm, const dmg::Vector3& axis, const dmg::SurfaceView& view)
 {
   dmg::ConstraintArrays choices;
   choices.Vectors = dmg::ChoiceOf(algorithm, 0);
-  if (!dmg::FindArray(choices.Vectors, view.Given(), 3, "vectors", "the surface").Array)
+  choices.Eastward = dmg::ChoiceOf(algorithm, 1);
+  choices.Northward = dmg::ChoiceOf(algorithm, 2);
+  choices.Axis = axis;
+  const dmg::VectorArrays arrays(
+    { choices.Vectors, choices.Eastward, choices.Northward, axis }, view.Given(), "vectors", "the surface");
+  if (arrays.AreNone())
   {
     return {};
   }
@@ -85,7 +90,7 @@ dmg::Constraints SourcesFromArray(vtkAlgorithm* algorithm, const dmg::SurfaceVie
   dmg::Constraints sources = dmg::ConstraintsFromArrays(choices, view.Given(), view.Surface(), unusable);
   if (sources.AreEmpty())
   {
-    throw dmg::InvalidInput("no vector of the array '" + choices.Vectors.Name +
+    throw dmg::InvalidInput("no vector of the array '" + arrays.Name() +
       "' is finite, not zero and along the surface; give one, or choose no array to carry Direction from Point");
   }
   unusable.NotFinite = 0; // as where nothing is given
@@ -179,7 +184,7 @@ int vtkParallelTransport::RequestData(
     view.StartOutput(vtkDataSet::GetData(outputVector, 0));
     dmg::RemoveTransportArrays(view.Output());
 
-    dmg::Constraints sources = SourcesFromArray(this, view);
+    dmg::Constraints sources = SourcesFromArrays(this, dmg::Vector3(this->Axis), view);
     const bool isPointSource = this->AddPoint || sources.AreEmpty();
     if (isPointSource || this->LogarithmicMap)
     {
@@ -210,6 +215,7 @@ void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointOnSurface: " << this->PointOnSurface[0] << " " << this->PointOnSurface[1] << " "
      << this->PointOnSurface[2] << "\n";
   os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " " << this->Direction[2] << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "AddPoint: " << (this->AddPoint ? "On" : "Off") << "\n";
   os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";
   os << indent << "TextureSize: " << this->TextureSize << "\n";

@@ -9,11 +9,13 @@
  *
  * @section vtkParallelTransport-Inputs Inputs
  *
- * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it. The sources are one of these, or both (AddPoint):
+ * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it. The sources are one of these, the last one also beside others (AddPoint):
  *
  * - an array of vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default none. A vector counts
- *   where it is finite and not zero; its tangential part is carried, with its length. Fill values are an error or a warning, as of
- *   vtkHodgeDecomposition.
+ *   where it is finite and not zero; its tangential part is carried, with its length. In a plane of constant z they may have 2 components.
+ *   Fill values are an error or a warning, as of vtkHodgeDecomposition.
+ * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
+ *   north. They count where index 1 is chosen, instead of vectors.
  * - Direction at a point of the surface, where no array is chosen or where AddPoint is on: the one that is nearest to Point or, as long as
  *   nobody has set Point, one that the filter chooses (UsePoint).
  *
@@ -124,6 +126,14 @@ public:
 
   ///@{
   /**
+   * The direction to the north pole from the origin, for eastward and northward components; of any length but zero. Default (0, 0, 1).
+   */
+  vtkSetVector3Macro(Axis, double);
+  vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  ///@{
+  /**
    * The side of the square, in the unit of the points, that an image covers by TextureCoordinates. 0: twice the largest distance, so that all
    * of the surface is in the image. Default 0, at least 0.
    */
@@ -178,6 +188,7 @@ protected:
 
 private:
   double Point[3] = { 0.0, 0.0, 0.0 };
+  double Axis[3] = { 0.0, 0.0, 1.0 };
   bool UsePoint = false;
   double PointOnSurface[3];
   double Direction[3] = { 1.0, 0.0, 0.0 };

@@ -7,10 +7,11 @@
 # vtk       the module and its Python wrapping with Debian's plain VTK; where that cannot be
 #           installed beside ParaView, it is unpacked below build
 #
-# These two are all, and the default. Two more take longer than what they test; a part of that is run:
+# These two are all, and the default. Three more take longer than what they test; a part of that is run:
 #
-# vtk-asan  random inputs, under the address and undefined-behaviour sanitizers
-# core-tsan whole solves in several threads, under the thread sanitizer
+# vtk-asan   random inputs, under the address and undefined-behaviour sanitizers
+# core-tsan  whole solves in several threads, under the thread sanitizer
+# core-debug meshes, drawing and quads without optimisation, with all assertions
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -58,6 +59,7 @@ for flavour; do
   case $flavour in
     vtk-asan) build vtk-asan --target FuzzFilters ;;
     core-tsan) build core-tsan --target TestCore ;;
+    core-debug) build core-debug --target TestMesh TestDrawing TestQuads ;;
     *) build "$flavour" ;;
   esac
 done
@@ -65,6 +67,7 @@ for flavour; do
   case $flavour in
     vtk-asan) run vtk-asan --tests-regex '^Fuzz[.]' ;;
     core-tsan) run core-tsan --tests-regex '^(Harmonic|Smoothest)Field[.].*ForAnyNumberOfThreads$' ;;
+    core-debug) run core-debug --tests-regex '^[A-Za-z]+[.]' --exclude-regex '^(QuadMesh|Checks|Examples|Benchmarks|Documentation)[.]' ;;
     *) run "$flavour" ;;
   esac
 done

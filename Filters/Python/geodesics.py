@@ -12,14 +12,15 @@ from .vtkFiltersDirectionalFields import vtkParallelTransport
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
 
 
-def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequence[float]] = None,
-              direction: Optional[Sequence[float]] = None, **properties: Property) -> Mesh:
+def transport(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,
+              point: Optional[Sequence[float]] = None, direction: Optional[Sequence[float]] = None, **properties: Property) -> Mesh:
     """Vectors carried over a surface along shortest paths, and the logarithmic map of a point.
 
     mesh        a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
                 pyvista.PolyData. It is not changed.
     vectors     the name of an array of vectors at points, else on cells, zero or NaN where nothing is given; by default, the direction
                 at the point is carried
+    eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north
     point       a place; the point of the mesh that is nearest to it is that of the map. By default, the one on the largest component
                 that is nearest to the middle of the front of its bounds, where z is largest. Beside vectors, its direction counts only
                 with AddPoint=True.
@@ -35,12 +36,13 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequ
     _check_mesh(mesh)
     carry = vtkParallelTransport()
     carry.SetInputData(mesh)
-    _set_properties(carry, properties, ("mesh", "vectors", "point", "direction"))
+    _set_properties(carry, properties, ("mesh", "vectors", "eastward", "northward", "point", "direction"))
     if point is not None:
         carry.SetPoint(*_three("point", point))
     if direction is not None:
         carry.SetDirection(*_three("direction", direction))
-    _choose_array(carry, mesh, 0, vectors)
+    for index, name in enumerate((vectors, eastward, northward)):
+        _choose_array(carry, mesh, index, name)
     result = type(mesh)()
     result.ShallowCopy(_update(carry, 3))
     return result

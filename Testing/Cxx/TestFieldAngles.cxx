@@ -97,6 +97,17 @@ TEST(FieldAngles, MayBeCountedFromVectorsAtPoints)
   }
 }
 
+TEST(FieldAngles, StandBesideTheScalarsThatWereActive)
+{
+  const auto helix = Helix(20.0);
+  helix->GetCellData()->SetScalars(Zeros("Layer", helix->GetNumberOfCells(), 1));
+  vtkNew<vtkFieldAngles> filter;
+  filter->SetInputData(helix);
+  filter->Update();
+  EXPECT_TRUE(filter->GetOutput()->GetCellData()->HasArray("Layer"));
+  EXPECT_STREQ(filter->GetOutput()->GetCellData()->GetScalars()->GetName(), "Angle");
+}
+
 TEST(FieldAngles, AreZeroWhereTheAxisIsPerpendicularWithAWarning)
 {
   const auto plane = PolyDataOf(PlaneGrid(3, 3));

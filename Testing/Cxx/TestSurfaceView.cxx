@@ -208,6 +208,37 @@ TEST(SurfaceView, CountsColumnsThatAreThereTwiceOnceAndGivesBothTheSameNumbers)
   }
 }
 
+TEST(SurfaceView, GivesTwinsBesideAGapTheSameNumbersToo)
+{
+  // The same columns, and land on the first and the last cell of row 8, which are the same place: beside it is the sea of both sides.
+  const int columns = 38, rows = 18;
+  const auto globe = Globe(-5.0, -85.0, columns, rows, 10.0);
+  const vtkIdType land = 8 * (columns - 1);
+  AddArray(globe->GetCellData(), "flow", 3, globe->GetNumberOfCells(),
+    [=](vtkIdType cell, int) { return cell == land || cell == land + columns - 2 ? NotANumber : 1.0; });
+  dmg::SurfaceView view(globe);
+  view.TakeIf<dmg::GlobeLayout>(true, Vector3::UnitZ());
+  view.TakeIf<dmg::HiddenGaps>(true, ArraysOf(globe, "flow"), "flow");
+  view.Prepare({}, dmg::SerialContext());
+  vtkNew<vtkStructuredGrid> output;
+  view.StartOutput(output);
+  view.OfPoints(dmg::SerialContext()).Add("numbers", 1, NumbersOfPoints(view).data());
+  const std::vector<double> ones(view.Mesh().NumberOfFaces(), 1.0);
+  view.OfCells(dmg::SerialContext()).Add("ones", 1, ones.data());
+  vtkDataArray* const numbers = output->GetPointData()->GetArray("numbers");
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    for (const vtkIdType column : { 0, 1 })
+    {
+      const vtkIdType first = columns * row + column;
+      EXPECT_EQ(numbers->GetComponent(first, 0), first);
+      EXPECT_EQ(numbers->GetComponent(first + columns - 2, 0), first) << row << " " << column;
+    }
+  }
+  vtkDataArray* const isSea = output->GetCellData()->GetArray("ones");
+  EXPECT_TRUE(std::isnan(isSea->GetComponent(land, 0)) && std::isnan(isSea->GetComponent(land + columns - 2, 0)));
+}
+
 TEST(SurfaceView, WithoutStepsAndRepairHandsNumbersOn)
 {
   const auto globe = Globe(0.0, -20.0, 4, 4, 10.0);

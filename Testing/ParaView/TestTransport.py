@@ -85,6 +85,18 @@ def main():
     arrays, places = points_of(carried)
     assert np.abs(array(arrays, "TransportedVectors")[places[:, 0] < -0.4] - [1, 0, 0]).max() < 0.05
 
+    # East at (0.7, 0, 0.7) is +y, and -y where the north pole is below.
+    ball = simple.Sphere(Radius=1, ThetaResolution=40, PhiResolution=40)
+    one = "if(coordsX > 0.65 & coordsX < 0.75 & coordsZ > 0 & abs(coordsY) < 0.01, 1, 0)"
+    eastward = simple.Calculator(Input=ball, ResultArrayName="u", Function=one)
+    both = simple.Calculator(Input=eastward, ResultArrayName="v", Function="0 * coordsX")
+    wind = simple.ParallelTransport(Input=both, Eastward=["POINTS", "u"], Northward=["POINTS", "v"], LogarithmicMap=0)
+    for pole, sign in ((1, 1), (-1, -1)):
+        wind.Axis = [0, 0, pole]
+        arrays, places = points_of(wind)
+        given = array(arrays, "u") > 0
+        assert given.any() and np.abs(array(arrays, "TransportedVectors")[given] - [0, sign, 0]).max() < 0.01
+
     carried.JoinPoints = 0
     carried.Strict = 1
     assert points_of(carried)[0].HasArray("TransportedVectors")

@@ -171,6 +171,38 @@ class EastwardAndNorthward(unittest.TestCase):
         with self.assertRaisesRegex(FieldError, "Longitude and Latitude in Degrees"):
             hodge(grid, eastward="u", northward="v")
 
+    def test_are_carried_and_followed_as_the_vectors_that_they_are_of(self):
+        grid, xyz = globe(np.arange(0, 361, 10.0), np.linspace(-80, 80, 17))
+        given = np.zeros_like(xyz)
+        sources = (40, 300, 577)
+        given[list(sources)] = np.cross(xyz[list(sources)], (0.3, -0.5, 0.8))  # tangential
+        for name, numbers in zip("uv", east_and_north(xyz, given)):
+            add(grid.GetPointData(), name, numbers)
+        add(grid.GetPointData(), "w", given)
+        for expected, result, name in (
+                (transport(grid, "w"), transport(grid, eastward="u", northward="v"), "TransportedVectors"),
+                (smooth_field(grid, n=1, Directions="w"), smooth_field(grid, n=1, Eastward="u", Northward="v"), "Direction0")):
+            np.testing.assert_allclose(values(result.GetPointData(), name), values(expected.GetPointData(), name), atol=1e-9)
+
+    def test_turn_with_the_axis_where_they_are_carried(self):
+        """About x, east at (0, 0, 1) is x cross z = -y."""
+        grid, xyz = globe(np.arange(0, 361, 10.0), np.linspace(-90, 90, 19))
+        add(grid.GetPointData(), "u", np.where(np.arange(len(xyz)) >= 37 * 18, 1.0, 0.0))
+        add(grid.GetPointData(), "v", np.zeros(len(xyz)))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", FieldWarning)  # the rows of the poles are points that are there often
+            carried = values(transport(grid, eastward="u", northward="v", Axis=(1, 0, 0)).GetPointData(), "TransportedVectors")
+        np.testing.assert_allclose(carried[37 * 18], (0, -1, 0), atol=1e-6)
+
+    def test_in_a_plane_are_refused_by_all_filters(self):
+        grid = flat(np.linspace(-100, -60, 41), np.linspace(20, 50, 31))
+        for name in "uv":
+            add(grid.GetPointData(), name, np.full(41 * 31, 1.0))
+        for run in (lambda: hodge(grid, eastward="u", northward="v"), lambda: transport(grid, eastward="u", northward="v"),
+                    lambda: smooth_field(grid, n=1, Eastward="u", Northward="v")):
+            with self.assertRaisesRegex(FieldError, "need a globe around the origin"):
+                run()
+
     def test_on_a_flat_map_give_what_they_give_on_the_globe(self):
         longitudes, latitudes = np.arange(-20, 341, 5.0), np.linspace(90, -90, 37)
         on_globe, xyz = globe(longitudes, latitudes)
@@ -333,6 +365,48 @@ class FillValues(unittest.TestCase):
             warnings.simplefilter("error")
             result = smooth_field(self.grid, n=1, Directions="D", Mask="known")
         np.testing.assert_allclose(values(result.GetPointData(), "Direction0"), np.tile([1.0, 0, 0], (961, 1)), atol=1e-6)
+
+
+class CopiesOfPoints(unittest.TestCase):
+    """Points that stand once for each cell, as of discontinuous elements, and are joined."""
+    def parts(self, data, name):
+        result = hodge(data, name)
+        return sum(values(result.GetCellData(), part) for part in ("GradientPart", "RotationalPart", "HarmonicPart", "Residual"))
+
+    def test_keep_their_own_vectors_on_the_triangles_of_their_cells(self):
+        data = polygons([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (3, 4, 5)])
+        add(data.GetPointData(), "u", np.array([(1.0, 0, 0)] * 3 + [(0, 1.0, 0)] * 3))
+        np.testing.assert_allclose(self.parts(data, "u"), [(1, 0, 0), (0, 1, 0)], atol=1e-9)
+
+    def test_of_cells_without_a_flow_do_not_count(self):
+        """The first cell is land, and its copies of the points come first."""
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        squares = [[(x + i, y + j, 0) for x, y, _ in corners] for i, j in ((0, 0), (1, 0), (0, 1), (1, 1))]
+        data = polygons(sum(squares, []), [range(4 * k, 4 * k + 4) for k in range(4)])
+        flow = np.array([(y, 1 - x, 0) for x, y, _ in sum(squares, [])], float)
+        flow[:4] = np.nan
+        add(data.GetPointData(), "u", flow)
+        expected = [(np.nan,) * 3] + [(0.5 + j, 0.5 - i, 0) for i, j in ((1, 0), (0, 1), (1, 1))]
+        np.testing.assert_allclose(self.parts(data, "u"), expected, atol=1e-9)
+
+
+class VectorsOfTwoNumbers(unittest.TestCase):
+    def test_in_a_plane_are_those_of_three_for_all_filters(self):
+        grid, x, y = image(21, 15, lambda x, y: np.stack([2 + np.sin(y / 5), np.cos(x / 5), 0 * x], 1))
+        add(grid.GetPointData(), "two", values(grid.GetPointData(), "U")[:, :2])
+        field = smooth_field(grid)
+        for run in (lambda name: values(hodge(grid, name).GetPointData(), "RotationalPart"),
+                    lambda name: values(transport(grid, name).GetPointData(), "TransportedVectors"),
+                    lambda name: values(smooth_field(grid, n=1, Directions=name).GetPointData(), "Direction0"),
+                    lambda name: self.angles(grid, 0, name), lambda name: self.angles(field, 1, name)):
+            np.testing.assert_allclose(run("two"), run("U"), atol=1e-9)
+
+    def angles(self, surface, index, name):
+        filter = vtkFieldAngles()
+        filter.SetInputData(surface)
+        filter.SetAxis(1, 0, 0)
+        filter.SetInputArrayToProcess(index, 0, 0, 0, name)
+        return values(update(filter).GetCellData(), "Angle")
 
 
 class Coasts(unittest.TestCase):

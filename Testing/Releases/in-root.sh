@@ -86,7 +86,9 @@ if [ -z "$again" ] || [ ! -e "$root" ]; then
 fi
 
 mkdir -p "$root/tree"
-# All files are new: objects of the last run may be younger than a change that they lack. The cache of objects knows the rest.
+# All files are new: objects of the last run may be younger than a change that they lack. The cache of objects knows the rest. Files that
+# are gone are gone there, too.
+find "$root/tree" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
 git ls-files --cached --others --exclude-standard -z |
   tar --create --null --files-from=- --ignore-failed-read | tar --extract --touch --no-same-owner --directory "$root/tree"
 in_root chown --recursive "$user" /tree

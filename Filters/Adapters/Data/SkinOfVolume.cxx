@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -131,7 +132,8 @@ vtkSmartPointer<vtkDataSet> SkinOfVolume(vtkDataSet* dataset)
   const ShortArraysApart ofCells(copy->GetCellData(), copy->GetNumberOfCells());
   vtkNew<vtkGeometryFilter> skin;
   skin->SetInputData(copy);
-  skin->Update();
+  // In several threads, VTK 9.1 orders the cells by who comes first.
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, [&skin] { skin->Update(); });
   vtkSmartPointer<vtkDataSet> result = skin->GetOutput();
   if (vtkUnstructuredGrid::SafeDownCast(dataset))
   {

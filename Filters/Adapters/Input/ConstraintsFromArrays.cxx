@@ -61,6 +61,10 @@ DirectionReader ReaderOf(
   const int components = vectors ? vectors->GetNumberOfComponents() : 3;
   if (components == 1)
   {
+    if (const std::string problem = ProblemOfComponents(surface.Geometry.Mesh.VertexPositions()); !problem.empty())
+    {
+      throw InvalidInput(problem);
+    }
     const EastAndNorth both = FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, input, Whose);
     return [both, &surface](vtkIdType element, const double*)
     { return both.At(element, PlaceOf(element, both.Eastward.OnPoints(), surface)); };

@@ -211,13 +211,6 @@ void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::se
   }
 }
 
-/// Warns of numbers that may be fill values. \throw InvalidInput as SuspectedFillValues.
-void CheckFillValues(vtkAlgorithm* algorithm, const ChosenArray& chosen, vtkDataSet* input, const std::string& what)
-{
-  const vtkIdType tuples = input->GetNumberOfElements(chosen.OnPoints() ? vtkDataObject::POINT : vtkDataObject::CELL);
-  Warn(algorithm, { SuspectedFillValues({ chosen.Array }, tuples, what) });
-}
-
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
 void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
@@ -289,7 +282,8 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, co
   }
   if (NameOf(chosen.Array) != ArrayNames::Direction(0)) // a solver knows no fill values
   {
-    CheckFillValues(algorithm, chosen, input, "array '" + NameOf(chosen.Array) + "'");
+    const vtkIdType tuples = input->GetNumberOfElements(chosen.Association);
+    Warn(algorithm, { SuspectedFillValues({ chosen.Array }, tuples, "array '" + NameOf(chosen.Array) + "'") });
   }
   CheckLeft(algorithm, chosen, left);
   context.Checkpoint(1.0);
@@ -314,21 +308,10 @@ Points ReferenceVectors(
 {
   const TriangleMesh& mesh = view.Mesh();
   Points references(mesh.NumberOfFaces(), 3);
-  if (const ChosenArray chosen = FindArray(choice, view.Given(), 3, "reference vectors", "the surface"); chosen.Array)
+  if (const VectorArrays arrays({ choice }, view.Given(), "reference vectors", "the surface"); !arrays.AreNone())
   {
-    CheckFillValues(algorithm, chosen, view.Given(), "reference vectors");
-    Vector3 vector;
-    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-    {
-      references.row(face).setZero();
-      for (int corner = 0; corner < (chosen.OnPoints() ? 3 : 1); ++corner)
-      {
-        chosen.Array->GetTuple(
-          chosen.OnPoints() ? view.Relation().PointOf(mesh.FaceCorners()(face, corner)) : view.Relation().CellOf(face),
-          vector.data());
-        references.row(face) += vector.transpose();
-      }
-    }
+    Warn(algorithm, { SuspectedFillValues(arrays.Arrays(), arrays.NumberOfTuples(view.Given()), "reference vectors") });
+    references = view.Vectors(arrays).OnFaces(mesh);
   }
   else
   {

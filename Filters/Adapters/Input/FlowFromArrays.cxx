@@ -9,7 +9,7 @@ namespace dmg
 namespace
 {
 
-FaceFlow OnFaces(const FramedMesh& surface, const Points& vectors)
+FaceFlow FlowOf(const FramedMesh& surface, const Points& vectors)
 {
   const int faces = surface.Mesh.NumberOfFaces();
   FaceFlow flow{ Vector<Complex>(faces), Vector<double>(faces), {} };
@@ -20,18 +20,6 @@ FaceFlow OnFaces(const FramedMesh& surface, const Points& vectors)
     flow.Normal[face] = surface.Faces.Normal(face).dot(vector);
   }
   return flow;
-}
-
-/// The means over the corners of the faces.
-Points MeansOfCorners(const TriangleMesh& mesh, const Points& ofVertices)
-{
-  Points means(mesh.NumberOfFaces(), 3);
-  for (int face = 0; face < means.rows(); ++face)
-  {
-    const auto corners = mesh.FaceCorners().row(face);
-    means.row(face) = (ofVertices.row(corners[0]) + ofVertices.row(corners[1]) + ofVertices.row(corners[2])) / 3.0;
-  }
-  return means;
 }
 
 }
@@ -53,8 +41,7 @@ FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, con
 {
   const FramedSurface surface = view.Surface();
   const VectorsOnSurface vectors = view.Vectors(arrays);
-  FaceFlow flow =
-    OnFaces(surface.Geometry, vectors.AreAtVertices ? MeansOfCorners(view.Mesh(), vectors.Values) : vectors.Values);
+  FaceFlow flow = FlowOf(surface.Geometry, vectors.OnFaces(view.Mesh()));
   flow.Derivatives = [surface, vectors](const ExecutionContext& loops)
   {
     const auto derivatives = vectors.AreAtVertices ? DerivativesOfVertexVectors : DerivativesOfCellVectors;

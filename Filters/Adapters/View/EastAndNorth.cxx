@@ -1,6 +1,7 @@
 #include "Adapters/View/EastAndNorth.h"
 
 #include "Mesh/Globe.h"
+#include "Mesh/PositiveSide.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -29,6 +30,14 @@ Vector3 UnitAxis(const Vector3& axis, const std::string& another)
     throw InvalidInput(text.str());
   }
   return (axis / axis.cwiseAbs().maxCoeff()).normalized();
+}
+
+std::string ProblemOfComponents(const Points& positions)
+{
+  return positions.rows() > 0 && HaveConstantZ(positions)
+    ? "the surface is a plane, and eastward and northward components need a globe around the origin; choose vectors, "
+      "made of them with Calculator (vtkArrayCalculator) for example"
+    : "";
 }
 
 EastAndNorth FindEastAndNorth(const ChosenArray& eastward, const ChosenArray& northward, const Vector3& axis,

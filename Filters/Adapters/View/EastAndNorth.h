@@ -19,6 +19,10 @@ struct EastAndNorth
 /// The direction of an axis, of any length. \throw InvalidInput it is zero or not finite; \p another remedy may follow.
 Vector3 UnitAxis(const Vector3& axis, const std::string& another = "");
 
+/// Eastward and northward components belong to surfaces around the origin.
+/// \return the words of an error where the surface is in a plane of constant z, else nothing.
+std::string ProblemOfComponents(const Points& positions);
+
 /// \param axis of any length.
 /// \throw InvalidInput as FindArray and UnitAxis; one of both is chosen, or they are not both on points or on cells.
 EastAndNorth FindEastAndNorth(const ChosenArray& eastward, const ChosenArray& northward, const Vector3& axis,

@@ -74,8 +74,12 @@ std::string SuspectedFillValues(
   {
     throw InvalidInput(refusal);
   }
+  if (!IsOfFiles(largest)) // as mostly
+  {
+    return "";
+  }
   sizes.erase(std::remove_if(sizes.begin(), sizes.end(), IsOfFiles), sizes.end());
-  if (sizes.empty() || !IsOfFiles(largest))
+  if (sizes.empty())
   {
     return "";
   }

@@ -53,12 +53,11 @@ void Erase(vtkDataArray* array, const std::vector<vtkIdType>& tuples)
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what)
 {
-  const bool onPoints = vectors.AreOnPoints();
   const std::vector<vtkDataArray*> arrays = vectors.Arrays();
-  const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, arrays,
-    onPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
+  const std::vector<char> isNaN =
+    TuplesWith([](double x) { return std::isnan(x); }, arrays, vectors.NumberOfTuples(dataset));
   this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
-  const std::vector<char> isHidden = onPoints ? CellsWith(isNaN, dataset) : isNaN;
+  const std::vector<char> isHidden = vectors.AreOnPoints() ? CellsWith(isNaN, dataset) : isNaN;
   for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
   {
     if (isHidden[cell])

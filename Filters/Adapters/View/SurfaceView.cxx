@@ -16,52 +16,21 @@ namespace dmg
 namespace
 {
 
-/// Gives the elements without a vector the mean of their neighbours, as far as these have one.
-/// \param visitNeighbours calls a function with each of them.
-template <class VisitNeighbours>
-void FillFromNeighbours(Points& vectors, const std::vector<char>& isDefined, const VisitNeighbours& visitNeighbours)
+/// The mean of the vectors of the points that the corners around a vertex have, each counted once.
+template <class VectorAt>
+Vector3 MeanOfPoints(
+  const TriangleMesh& mesh, const std::vector<vtkIdType>& ofCorners, int vertex, const VectorAt& vectorAt)
 {
-  for (int element = 0; element < vectors.rows(); ++element)
+  std::vector<vtkIdType> points;
+  mesh.VisitFan(vertex, [&](int h) { points.push_back(ofCorners[h]); });
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Vector3 sum = Vector3::Zero();
+  for (const vtkIdType point : points)
   {
-    if (isDefined[element])
-    {
-      continue;
-    }
-    Vector3 sum = Vector3::Zero();
-    int number = 0;
-    visitNeighbours(element,
-      [&](int neighbour)
-      {
-        sum += isDefined[neighbour] ? Vector3(vectors.row(neighbour).transpose()) : Vector3::Zero();
-        number += isDefined[neighbour] ? 1 : 0;
-      });
-    vectors.row(element) = sum.transpose() / std::max(number, 1);
+    sum += vectorAt(point, vertex);
   }
-}
-
-/// Calls visit(vertex) for the neighbours of a vertex.
-template <class Visit>
-void VisitNeighboursOfVertex(const TriangleMesh& mesh, int vertex, const Visit& visit)
-{
-  mesh.VisitFan(vertex,
-    [&](int h)
-    {
-      visit(mesh.Head(h));
-      if (mesh.Twin(TriangleMesh::Previous(h)) < 0)
-      {
-        visit(mesh.Tail(TriangleMesh::Previous(h)));
-      }
-    });
-}
-
-/// Calls visit(face) for the neighbours of the faces of a cell, that of a face.
-template <class Visit>
-void VisitNeighboursOfCell(const TriangleMesh& mesh, const SurfaceRelation& relation, int face, const Visit& visit)
-{
-  for (const int part : relation.FacesOf(relation.CellOf(face)))
-  {
-    mesh.VisitNeighbours(part, visit);
-  }
+  return sum / static_cast<double>(points.size());
 }
 
 }
@@ -78,6 +47,16 @@ void SurfaceView::Prepare(
   this->Options = options;
   this->Framed.emplace(surface);
   this->Report = report;
+}
+
+Vector3 SurfaceView::VectorForth(const VectorArrays& arrays, vtkIdType tuple, const Vector3& place) const
+{
+  Vector3 vector = arrays.At(tuple, place);
+  for (auto step = this->Steps.begin(); step != this->Steps.end() && !arrays.AreComponents(); ++step)
+  {
+    vector = (*step)->VectorForth(vector, place);
+  }
+  return vector;
 }
 
 bool SurfaceView::IsPole(const Vector3& place) const
@@ -105,27 +84,30 @@ VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
     throw WrongChoice(problem);
   }
   const bool atVertices = arrays.AreOnPoints();
+  const std::vector<vtkIdType> ofCorners =
+    atVertices ? PointsOfCorners(this->Data(), mesh, relation) : std::vector<vtkIdType>();
   const Points places = atVertices ? mesh.VertexPositions() : CellCentres(mesh, relation);
-  Points vectors(places.rows(), 3);
+  const auto at = [&](vtkIdType tuple, int element)
+  { return this->VectorForth(arrays, tuple, places.row(element).transpose()); };
+  VectorsOnSurface vectors{ atVertices, Points(places.rows(), 3) };
   std::vector<char> isDefined(places.rows(), 1);
-  for (int element = 0; element < vectors.rows(); ++element)
+  for (int element = 0; element < places.rows(); ++element)
   {
-    const Vector3 place = places.row(element).transpose();
-    Vector3 vector = arrays.At(atVertices ? relation.PointOf(element) : relation.CellOf(element), place);
-    for (auto step = this->Steps.begin(); step != this->Steps.end() && !arrays.AreComponents(); ++step)
-    {
-      vector = (*step)->VectorForth(vector, place);
-    }
-    vectors.row(element) = vector.transpose();
-    isDefined[element] = this->IsPole(place) ? 0 : 1;
+    const Vector3 vector = !ofCorners.empty()
+      ? MeanOfPoints(mesh, ofCorners, element, at)
+      : at(atVertices ? relation.PointOf(element) : relation.CellOf(element), element);
+    vectors.Values.row(element) = vector.transpose();
+    isDefined[element] = this->IsPole(places.row(element).transpose()) ? 0 : 1;
   }
-  FillFromNeighbours(vectors, isDefined,
-    [&](int element, const auto& visit)
-    {
-      atVertices ? VisitNeighboursOfVertex(mesh, element, visit)
-                 : VisitNeighboursOfCell(mesh, relation, element, visit);
-    });
-  return { atVertices, std::move(vectors) };
+  FillFromNeighbours(vectors, isDefined, mesh, relation);
+  vectors.AtCorners.resize(static_cast<Eigen::Index>(ofCorners.size()), 3);
+  for (int h = 0; h < vectors.AtCorners.rows(); ++h)
+  {
+    const int vertex = mesh.Tail(h);
+    vectors.AtCorners.row(h) =
+      isDefined[vertex] ? at(ofCorners[h], vertex).transpose().eval() : vectors.Values.row(vertex).eval();
+  }
+  return vectors;
 }
 
 void SurfaceView::StartOutput(vtkDataSet* output)

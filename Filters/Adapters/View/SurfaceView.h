@@ -5,6 +5,7 @@
 #include "Adapters/Surface/PreparedDataSet.h"
 #include "Adapters/View/SurfaceStep.h"
 #include "Adapters/View/VectorArrays.h"
+#include "Adapters/View/VectorsOnSurface.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -22,13 +23,6 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// Vectors at the vertices of a surface, or on its faces at the CellCentres.
-struct VectorsOnSurface
-{
-  bool AreAtVertices;
-  Points Values; ///< in the coordinates of the surface
-};
-
 /// A dataset as the surface that the core sees. On the way forth, the dataset goes through the steps that a filter takes, one after the other,
 /// and through the repair (PrepareDataSet), which is the last one. On the way back, numbers of the core's elements become arrays of the
 /// user's cells and points, and go through the steps in reverse: all that a filter writes has the user's numbers and coordinates.
@@ -43,7 +37,7 @@ public:
   {
   }
 
-  /// Takes a step after those before, if it is taken. \param arguments of its constructor, after the dataset.
+  /// Takes one more step, but for \p isTaken false. \param arguments of its constructor, after the dataset.
   template <class Step, class... Arguments>
   void TakeIf(bool isTaken, Arguments&&... arguments)
   {
@@ -73,7 +67,8 @@ public:
   /// The surface, to be kept. \pre it was prepared here.
   const std::shared_ptr<const PreparedDataSet>& Prepared() const { return this->Kept; }
 
-  /// The vectors of arrays of the user's dataset. At a pole they are the mean of the neighbours.
+  /// The vectors of arrays of the user's dataset. At a pole they are the mean of the neighbours. Where points of several vectors were joined, the
+  /// corners of each face have those of its own cell, and the vertex has their mean.
   /// \throw WrongChoice vectors of 2 numbers, and the surface is not in a plane of constant z; components, and it is.
   VectorsOnSurface Vectors(const VectorArrays& arrays) const;
 
@@ -91,6 +86,7 @@ public:
   std::vector<std::string> Warnings() const;
 
 private:
+  Vector3 VectorForth(const VectorArrays& arrays, vtkIdType tuple, const Vector3& place) const;
   bool IsPole(const Vector3& place) const;
   bool IsFromPlane() const;
   ArrayChange WayBack() const;

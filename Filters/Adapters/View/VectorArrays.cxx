@@ -1,6 +1,7 @@
 #include "Adapters/View/VectorArrays.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 
 namespace dmg
 {
@@ -24,6 +25,11 @@ std::vector<vtkDataArray*> VectorArrays::Arrays() const
   return this->Vectors.Array ? std::vector<vtkDataArray*>{ this->Vectors.Array } : std::vector<vtkDataArray*>();
 }
 
+vtkIdType VectorArrays::NumberOfTuples(vtkDataSet* dataset) const
+{
+  return dataset->GetNumberOfElements(this->AreOnPoints() ? vtkDataObject::POINT : vtkDataObject::CELL);
+}
+
 Vector3 VectorArrays::At(vtkIdType tuple, const Vector3& place) const
 {
   if (this->AreComponents())
@@ -37,7 +43,7 @@ Vector3 VectorArrays::At(vtkIdType tuple, const Vector3& place) const
 
 std::string VectorArrays::ProblemOn(const Points& positions) const
 {
-  return this->AreComponents() ? "" : ProblemOfPlaneVectors(this->Vectors.Array, positions);
+  return this->AreComponents() ? ProblemOfComponents(positions) : ProblemOfPlaneVectors(this->Vectors.Array, positions);
 }
 
 }

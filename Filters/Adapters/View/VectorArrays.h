@@ -39,10 +39,18 @@ public:
   /// Whether they are components, so that the surface lies around the origin, whatever its shape.
   bool AreComponents() const { return this->Components.Eastward.Array != nullptr; }
   std::vector<vtkDataArray*> Arrays() const;
+  /// The points or cells of the dataset that they are of.
+  vtkIdType NumberOfTuples(vtkDataSet* dataset) const;
+  /// The name of the vectors, or of the eastward components.
+  const std::string& Name() const
+  {
+    return this->AreComponents() ? this->Components.Eastward.Name : this->Vectors.Name;
+  }
 
   /// The vector of a tuple; of components, that at a place of the surface. Several threads may call it.
   Vector3 At(vtkIdType tuple, const Vector3& place) const;
-  /// Words of an error where vectors have 2 numbers and the surface is in no plane of constant z, else nothing.
+  /// Words of an error where vectors have 2 numbers and the surface is in no plane of constant z, or where they are components and it is;
+  /// else nothing.
   std::string ProblemOn(const Points& positions) const;
 
 private:
