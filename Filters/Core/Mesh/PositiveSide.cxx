@@ -22,11 +22,14 @@ struct Component
   double SmallestRadius = std::numeric_limits<double>::infinity(); ///< distance from the origin
   double LargestRadius = 0.0;
   bool IsClosed = true;
-  Vector3 Origin = Vector3::Zero(); ///< one of its points, from which volumes count
-  double Volume = 0.0;              ///< six times that inside, positive if cells are counter-clockwise from outside
-  double Upwards = 0.0;             ///< twice the area, projected along z
-  double Outwards = 0.0;            ///< the same, along the directions from the origin
-  double Area = 0.0;                ///< twice the area
+  Vector3 Origin = Vector3::Zero();     ///< one of its points, from which volumes count
+  double Volume = 0.0;                  ///< six times that inside, positive if cells are counter-clockwise from outside
+  double Upwards = 0.0;                 ///< twice the area, projected along z
+  double Outwards = 0.0;                ///< the same, along the directions from the origin
+  double Area = 0.0;                    ///< twice the area
+  Vector3 AreaVector = Vector3::Zero(); ///< the sum of those of its faces
+  Vector3 Moment =
+    Vector3::Zero(); ///< the sum of the places of its faces from the origin above, times twice their areas
 
   void Add(const Vector3& point)
   {
@@ -52,6 +55,12 @@ struct Component
     return this->LargestRadius - this->SmallestRadius <= LargestDifference * std::min(radius, bulge);
   }
 
+  /// Six times the volume between the component and its centre of mass.
+  double VolumeFromCentre() const
+  {
+    return this->Volume - this->AreaVector.dot(this->Moment) / std::max(this->Area, std::numeric_limits<double>::min());
+  }
+
   /// \return the kind of its side, and whether cells are counter-clockwise, seen from it.
   std::pair<PositiveSide, bool> Side(bool isGlobe) const
   {
@@ -68,6 +77,11 @@ struct Component
     if ((isGlobe || this->IsOnGlobe()) && std::abs(this->Outwards) > SmallestShare * this->Area)
     {
       return { PositiveSide::AwayFromOrigin, this->Outwards > 0.0 };
+    }
+    constexpr double SmallestBulge = 0.05; // a tube of 20 times its radius has as much
+    if (const double volume = this->VolumeFromCentre(); std::abs(volume) > SmallestBulge * this->Area * size)
+    {
+      return { PositiveSide::Convex, volume > 0.0 };
     }
     return { PositiveSide::OfCells, true };
   }
@@ -96,6 +110,8 @@ std::vector<Component> Measure(const TriangleMesh& mesh, const std::vector<int>&
     of.Upwards += area.z();
     of.Outwards += area.dot(centre.stableNormalized());
     of.Area += area.norm();
+    of.AreaVector += area;
+    of.Moment += area.norm() * (centre - of.Origin);
   }
   return components;
 }
@@ -104,7 +120,7 @@ std::vector<Component> Measure(const TriangleMesh& mesh, const std::vector<int>&
 
 std::string SidesOfSurface::Text() const
 {
-  constexpr std::array<const char*, 4> Texts{ "the outside", "the side away from the origin", "+z",
+  constexpr std::array<const char*, 5> Texts{ "the outside", "the side away from the origin", "+z", "the convex side",
     "the side from which the corners of its cells are counter-clockwise" };
   std::string text;
   for (const PositiveSide side : this->Kinds)

@@ -16,6 +16,7 @@ enum class PositiveSide
   Outside,        ///< of a closed component: from outside
   AwayFromOrigin, ///< of a part of a globe around the origin: from outside of the globe
   Up,             ///< of a component in a plane of constant z: from +z
+  Convex,         ///< of another open component that bulges to one side, as a tube or a dome: from there
   OfCells,        ///< of any other: the side from which the corners of most of its cells are counter-clockwise
 };
 

@@ -1,5 +1,6 @@
 #include "Preparation/PreparedSurface.h"
 
+#include "Mesh/PositiveSide.h"
 #include "Mesh/SpatialOrder.h"
 #include "Preparation/CoincidingPoints.h"
 #include "Preparation/SurfaceRepair.h"
@@ -221,6 +222,26 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
   return surface;
 }
 
+/// Turns all triangles of the components whose corners are clockwise, seen from the positive side.
+PreparedSurface SeenFromPositiveSide(PreparedSurface&& surface, const ExecutionContext& context)
+{
+  const Vector<double> sides = FindSides(surface.Mesh).OfFaces;
+  if ((sides.array() > 0.0).all())
+  {
+    return std::move(surface);
+  }
+  Triangles corners = surface.Mesh.FaceCorners();
+  for (Eigen::Index face = 0; face < corners.rows(); ++face)
+  {
+    if (sides[face] < 0.0)
+    {
+      std::swap(corners(face, 1), corners(face, 2));
+    }
+  }
+  TriangleMesh turned(surface.Mesh.VertexPositions(), std::move(corners), surface.Relation.Names(), context);
+  return { std::move(turned), std::move(surface.Relation), std::move(surface.Report) };
+}
+
 }
 
 PreparedSurface PrepareSurface(
@@ -251,8 +272,9 @@ PreparedSurface PrepareSurface(
     }
   }
   given = CellTriangles(); // frees its memory before more is needed
-  surface->Relation.SetEdges(surface->Mesh, context);
-  return std::move(*surface);
+  PreparedSurface seen = SeenFromPositiveSide(std::move(*surface), context);
+  seen.Relation.SetEdges(seen.Mesh, context);
+  return seen;
 }
 
 }
