@@ -1,8 +1,9 @@
 #include "Geodesics/ShortestPaths.h"
 
+#include "Geodesics/HalfedgeFans.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -119,8 +120,8 @@ public:
       const double newton = bend > 0.0 ? s - slope / bend : -1.0;
       const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
       const double change = std::abs(next - s);
-      s = std::abs(newton - s) <= Enough ? s : next;
-      if (change <= Enough || std::abs(newton - s) <= Enough)
+      s = next;
+      if (change <= Enough)
       {
         break;
       }
@@ -148,43 +149,6 @@ private:
     }
     return derivatives;
   }
-};
-
-/// The halfedges that leave each vertex.
-class Fans
-{
-public:
-  explicit Fans(const IntrinsicTriangulation& surface)
-    : Offsets(surface.NumberOfVertices() + 1, 0)
-    , Halfedges(surface.NumberOfHalfedges())
-  {
-    for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
-    {
-      ++this->Offsets[surface.Tail(h) + 1];
-    }
-    for (std::size_t k = 1; k < this->Offsets.size(); ++k)
-    {
-      this->Offsets[k] += this->Offsets[k - 1];
-    }
-    std::vector<int> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
-    {
-      this->Halfedges[next[surface.Tail(h)]++] = h;
-    }
-  }
-
-  template <class Visit>
-  void VisitFan(int vertex, const Visit& visit) const
-  {
-    for (int k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
-    {
-      visit(this->Halfedges[k]);
-    }
-  }
-
-private:
-  std::vector<int> Offsets;
-  std::vector<int> Halfedges;
 };
 
 /// Dijkstra's algorithm, with paths across faces beside those along edges.
@@ -228,18 +192,7 @@ public:
     }
   }
 
-  /// Paths that the wavefront has not left for good are none.
-  std::vector<ShortestPath> Result() &&
-  {
-    for (std::size_t vertex = 0; vertex < this->Paths.size(); ++vertex)
-    {
-      if (!this->HasPassed[vertex])
-      {
-        this->Paths[vertex] = {};
-      }
-    }
-    return std::move(this->Paths);
-  }
+  std::vector<ShortestPath> Result() && { return std::move(this->Paths); }
 
 private:
   /// A vertex whose path becomes shorter is visited again, and all that came from its former path is found anew.
@@ -474,7 +427,7 @@ private:
 
   using Entry = std::pair<double, int>;
   const IntrinsicTriangulation& Surface;
-  const Fans Around;
+  const HalfedgeFans Around;
   std::vector<ShortestPath> Paths; ///< by vertex, the best so far
   std::vector<int> Visits;         ///< how often the wavefront has left the vertex
   std::vector<char> HasPassed;     ///< whether it has left the vertex since its path became better

@@ -45,7 +45,8 @@ struct PathStart
 /// bends around a vertex starts anew there, and distances count from there.
 /// Cost: O(#V log #V), but for the few vertices that a shorter path reaches late. Memory: some numbers per vertex.
 /// \param starts of several at one vertex, the first counts.
-/// \param maximumDistance the wavefront goes no farther; vertices beyond it have no path.
+/// \param maximumDistance the wavefront goes no farther; vertices beyond it have a longer path than that, which need not be the shortest, or
+///   none.
 /// \return #V.
 /// \throw Cancelled
 std::vector<ShortestPath> FindShortestPaths(const IntrinsicTriangulation& surface, const std::vector<PathStart>& starts,

@@ -446,8 +446,8 @@ TEST(ShortestPaths, EndAtTheMaximumDistance)
   const std::vector<ShortestPath> near = FindShortestPaths(plane.Delaunay, { { 7 } }, 6.5);
   for (std::size_t vertex = 0; vertex < all.size(); ++vertex)
   {
-    EXPECT_EQ(near[vertex].IsAny(), all[vertex].Length <= 6.5);
-    EXPECT_TRUE(!near[vertex].IsAny() || near[vertex].Length == all[vertex].Length);
+    EXPECT_EQ(near[vertex].Length <= 6.5, all[vertex].Length <= 6.5);
+    EXPECT_TRUE(near[vertex].Length > 6.5 || near[vertex].Length == all[vertex].Length);
   }
 }
 
