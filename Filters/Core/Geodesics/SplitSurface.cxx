@@ -233,6 +233,10 @@ bool SplitSurface::AddLine(int from, int face, int to, int nextFace, const Line&
     if (mesh.Twin(h) >= 0 && TriangleMesh::FaceOf(mesh.Twin(h)) == nextFace)
     {
       const Vector3 tail = mesh.Position(mesh.Tail(h)), along = mesh.Position(mesh.Head(h)) - tail;
+      if (along.squaredNorm() == 0.0)
+      {
+        continue;
+      }
       const auto place = [&](int vertex)
       {
         const Vector3 way = this->Positions[vertex] - tail;
@@ -241,7 +245,10 @@ bool SplitSurface::AddLine(int from, int face, int to, int nextFace, const Line&
       };
       const auto [partOfFrom, farFrom] = place(from);
       const auto [partOfTo, farTo] = place(to);
-      const double part = std::clamp((partOfFrom * farTo + partOfTo * farFrom) / (farFrom + farTo), 0.0, 1.0);
+      const double far = farFrom + farTo;
+      const double unfolded =
+        far > 0.0 ? (partOfFrom * farTo + partOfTo * farFrom) / far : 0.5 * (partOfFrom + partOfTo);
+      const double part = std::clamp(unfolded, 0.0, 1.0);
       const int middle = this->AddPoint(face, tail + part * along, SnapOfLines);
       return this->Cut(from, middle, face, line) && this->Cut(middle, to, nextFace, line);
     }

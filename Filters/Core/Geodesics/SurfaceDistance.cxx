@@ -113,6 +113,7 @@ public:
   std::vector<int> Targets; ///< vertices; -1 where one is too far away
   int Taken = 0;
   int TooFar = 0;
+  int Interrupted = 0;
   bool HasPoints = false;
 
 private:
@@ -198,8 +199,13 @@ private:
       return place.Face >= 0 && place.Distance <= maximum ? this->Split.AddPoint(place.Face, place.Position) : -1;
     };
     int number = static_cast<int>(this->Sources.Vertices.size());
+    constexpr int Interval = 1024;
     for (const Vector3& point : this->Sources.Points)
     {
+      if (number % Interval == 0)
+      {
+        context.Checkpoint(0.1);
+      }
       const int vertex = vertexOf(point);
       if (vertex >= 0)
       {
@@ -210,15 +216,17 @@ private:
     }
     for (const Vector3& point : this->Options.Targets)
     {
+      if (this->Targets.size() % Interval == 0)
+      {
+        context.Checkpoint(0.2);
+      }
       this->Targets.push_back(vertexOf(point));
     }
-    context.Checkpoint(0.2);
     const SegmentOnSurface segments(nearest, maximum);
     const SidesOfSurface sides = this->Options.Signed ? FindSides(this->Surface.Mesh) : SidesOfSurface();
     for (const std::vector<Vector3>& line : this->Sources.Lines)
     {
-      this->AddLine(line, number++, segments, sides);
-      context.Checkpoint(0.2);
+      this->AddLine(line, number++, segments, sides, context);
     }
   }
 
@@ -230,13 +238,14 @@ private:
     Vector3 PartStart = Vector3::Zero(); ///< of the last part
   };
 
-  void AddLine(
-    const std::vector<Vector3>& points, int number, const SegmentOnSurface& segments, const SidesOfSurface& sides)
+  void AddLine(const std::vector<Vector3>& points, int number, const SegmentOnSurface& segments,
+    const SidesOfSurface& sides, const ExecutionContext& context)
   {
     End end;
     bool isTaken = false;
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
     {
+      context.Checkpoint(0.3);
       int missed = 0;
       for (const SegmentPart& part : segments.PartsOf(points[k], points[k + 1]))
       {
@@ -269,9 +278,9 @@ private:
     const int last = add(part.End);
     if (end.Vertex >= 0 && end.Vertex != start)
     {
-      this->Split.AddLine(end.Vertex, end.Face, start, part.Face, line);
+      this->Interrupted += this->Split.AddLine(end.Vertex, end.Face, start, part.Face, line) ? 0 : 1;
     }
-    this->Split.AddLine(start, part.Face, last, part.Face, line);
+    this->Interrupted += this->Split.AddLine(start, part.Face, last, part.Face, line) ? 0 : 1;
     end = { last, part.Face, part.Start };
     return start != last;
   }
@@ -344,6 +353,12 @@ public:
     this->Targets = placed.Targets;
     this->Result.Taken = placed.Taken;
     this->Result.TooFar = placed.TooFar;
+    this->Result.Interrupted = placed.Interrupted;
+    if (placed.Interrupted > 0)
+    {
+      this->Result.Warnings.push_back("lines have " + std::to_string(placed.Interrupted) +
+        " gaps where they leap from one part of the surface to another; draw them nearer to it, with more points");
+    }
     if (starts.empty())
     {
       throw InvalidInput(placed.TooFar > 0
@@ -357,7 +372,10 @@ public:
   }
 
   const FramedMesh& On() const { return this->Split ? *this->Split : this->Surface; }
-  bool IsReached(int vertex) const { return this->Paths[vertex].Length <= this->MaximumDistance; }
+  bool IsReached(int vertex) const
+  {
+    return this->Paths[vertex].IsAny() && this->Paths[vertex].Length <= this->MaximumDistance;
+  }
   double Sign(int vertex) const { return this->Signs ? (*this->Signs)[vertex] : 1.0; }
 
   SurfacePath PathTo(int target, const ExecutionContext& context) const

@@ -50,6 +50,7 @@ struct DistanceField
   double Largest = 0.0;     ///< distance, without its sign
   int Taken = 0;            ///< sources
   int TooFar = 0;           ///< points, and segments of lines, that are too far from the surface, or hidden by it
+  int Interrupted = 0;               ///< gaps of lines between faces that have no point in common
   bool IsSigned = false;    ///< whether distances inside are negative
   std::vector<std::string> Warnings; ///< one sentence each
 };

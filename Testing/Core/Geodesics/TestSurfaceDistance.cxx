@@ -357,6 +357,11 @@ TEST(SurfaceDistance, EndsAtTheMaximumAndOnOtherComponents)
   }
   EXPECT_EQ(field.Unreached, unreached);
   EXPECT_LE(field.Largest, 4.5);
+  const SurfaceDistance everywhere(surface, sources);
+  EXPECT_EQ(everywhere.Field().Unreached, 121);
+  EXPECT_TRUE(std::isnan(everywhere.Field().Distances[200]));
+  EXPECT_TRUE(everywhere.PathTo(200).Points.empty());
+  EXPECT_EQ(everywhere.OffsetLines({ 2.0 }).Offsets.size(), 2U);
 }
 
 TEST(SurfaceDistance, HasPathsThatAreStraightOnAFoldedSheet)
@@ -558,7 +563,7 @@ TEST(SurfaceDistance, RefusesWhatItCannotUse)
   { EXPECT_THROW(SurfaceDistance(surface, sources, options), InvalidInput); };
   refuses({});
   DistanceSources sources;
-  sources.Vertices = { 25 };
+  sources.Vertices.push_back(25);
   refuses(sources);
   sources = DistanceSources();
   sources.Points = { { 0.0, 0.0, std::nan("") } };
@@ -571,7 +576,7 @@ TEST(SurfaceDistance, RefusesWhatItCannotUse)
   sources.Region.assign(32, 0);
   refuses(sources);
   sources = DistanceSources();
-  sources.Vertices = { 0 };
+  sources.Vertices.push_back(0);
   DistanceOptions options;
   options.MaximumDistance = -1.0;
   refuses(sources, options);
