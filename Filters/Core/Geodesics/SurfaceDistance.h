@@ -50,7 +50,7 @@ struct DistanceField
   double Largest = 0.0;     ///< distance, without its sign
   int Taken = 0;            ///< sources
   int TooFar = 0;           ///< points, and segments of lines, that are too far from the surface, or hidden by it
-  int Interrupted = 0;               ///< gaps of lines between faces that have no point in common
+  int Interrupted = 0;      ///< gaps of lines between faces that have no point in common
   bool IsSigned = false;    ///< whether distances inside are negative
   std::vector<std::string> Warnings; ///< one sentence each
 };
@@ -73,7 +73,7 @@ struct SurfacePath
 ///   distance.PathTo(vertex).Points;
 ///
 /// Places in faces become vertices, and lines become edges that stay, of an intrinsic Delaunay triangulation, over which a wavefront runs
-/// (FindShortestPaths; ParallelTransport.md has the formulas). Exact in planes and on what unfolds into one, of second order
+/// (FindShortestPaths). SurfaceDistance.md has the method. Exact in planes and on what unfolds into one, of second order
 /// elsewhere. Paths are made shortest by flips of edges (MakeShortest): they are locally shortest, and near cut loci a shorter one may lead around
 /// the other side of a hill.
 /// Cost: O(#V log #V); for each path, O(#F) and its flips.

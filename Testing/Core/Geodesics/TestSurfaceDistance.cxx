@@ -101,6 +101,13 @@ DistanceOptions Signed()
   return options;
 }
 
+DistanceSources FromVertex(int vertex)
+{
+  DistanceSources sources;
+  sources.Vertices.push_back(vertex);
+  return sources;
+}
+
 DistanceSources FromLine(const std::vector<Vector3>& line)
 {
   DistanceSources sources;
@@ -341,8 +348,7 @@ TEST(SurfaceDistance, EndsAtTheMaximumAndOnOtherComponents)
 {
   const Surface plane = PlaneGrid(10, 10);
   const FramedMesh surface(Union(plane, plane, Vector3(0.0, 0.0, 5.0)).Mesh());
-  DistanceSources sources;
-  sources.Vertices = { 0 };
+  const DistanceSources sources = FromVertex(0);
   DistanceOptions options;
   options.MaximumDistance = 4.5;
   const DistanceField field = SurfaceDistance(surface, sources, options).Field();
@@ -426,8 +432,7 @@ TEST(SurfaceDistance, HasPathsThatAreNoShorterThanExactOnesOfPolyhedra)
     }
     SCOPED_TRACE(file.path().stem().string());
     const FramedMesh surface(ReadPly(mesh.string()).Mesh());
-    DistanceSources sources;
-    sources.Vertices = { 0 };
+    const DistanceSources sources = FromVertex(0);
     const SurfaceDistance distance(surface, sources);
     std::ifstream numbers(file.path());
     double sum = 0.0, exact = 0.0;
@@ -453,8 +458,7 @@ TEST(SurfaceDistance, HasPathsOnCurvedSurfacesAsLongAsTheDistance)
          Needle(3, 10.0), PerforatedSlab(1, 1, 4) })
   {
     const FramedMesh surface(shape.Mesh());
-    DistanceSources sources;
-    sources.Vertices = { 3 };
+    const DistanceSources sources = FromVertex(3);
     const SurfaceDistance distance(surface, sources);
     for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); vertex += 11)
     {
@@ -474,11 +478,8 @@ TEST(SurfaceDistance, IsTheSameInBothDirections)
   {
     for (const int b : vertices)
     {
-      DistanceSources fromA, fromB;
-      fromA.Vertices = { a };
-      fromB.Vertices = { b };
-      const double there = SurfaceDistance(surface, fromA).Field().Distances[b];
-      EXPECT_NEAR(there, SurfaceDistance(surface, fromB).Field().Distances[a], 2e-3 * there);
+      const double there = SurfaceDistance(surface, FromVertex(a)).Field().Distances[b];
+      EXPECT_NEAR(there, SurfaceDistance(surface, FromVertex(b)).Field().Distances[a], 2e-3 * there);
     }
   }
 }
@@ -556,16 +557,25 @@ TEST(SurfaceDistance, IsFiniteOnDifficultSurfaces)
   }
 }
 
+TEST(SurfaceDistance, CanBeCancelled)
+{
+  class Stopped : public SerialContext
+  {
+    bool IsCancelled() const override { return true; }
+  };
+  const FramedMesh surface(PlaneGrid(4, 4).Mesh());
+  EXPECT_THROW(SurfaceDistance(surface, FromVertex(0), {}, Stopped()), Cancelled);
+  EXPECT_THROW(SurfaceDistance(surface, FromVertex(0)).PathTo(24, Stopped()), Cancelled);
+}
+
 TEST(SurfaceDistance, RefusesWhatItCannotUse)
 {
   const FramedMesh surface(PlaneGrid(4, 4).Mesh());
   const auto refuses = [&](const DistanceSources& sources, const DistanceOptions& options = {})
   { EXPECT_THROW(SurfaceDistance(surface, sources, options), InvalidInput); };
   refuses({});
+  refuses(FromVertex(25));
   DistanceSources sources;
-  sources.Vertices.push_back(25);
-  refuses(sources);
-  sources = DistanceSources();
   sources.Points = { { 0.0, 0.0, std::nan("") } };
   refuses(sources);
   sources.Points = { { 0.0, 0.0, 50.0 } };
@@ -575,8 +585,7 @@ TEST(SurfaceDistance, RefusesWhatItCannotUse)
   refuses(sources);
   sources.Region.assign(32, 0);
   refuses(sources);
-  sources = DistanceSources();
-  sources.Vertices.push_back(0);
+  sources = FromVertex(0);
   DistanceOptions options;
   options.MaximumDistance = -1.0;
   refuses(sources, options);
