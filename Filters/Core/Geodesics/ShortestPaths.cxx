@@ -19,9 +19,9 @@ constexpr double Rounding = 1e-12;
 /// Two wavefronts of one source meet at a side, around a hole, a handle or a peak, where their directions at its ends run towards each
 /// other: the difference of their cosines.
 constexpr double SmallestMeeting = 0.7;
-/// Nothing crosses a side along which distances rise otherwise than directions say, over its length, if the second derivative of their
-/// square changes by more than this, over the squared length: it belongs to wavefronts of which none has both ends.
-constexpr double LargestJump = 0.35;
+/// Along some sides distances rise otherwise than directions say, by more than this over the length, and the second derivative of their
+/// square changes by more than this over the squared length. They belong to wavefronts of which none has both ends.
+constexpr double LargestJump = 0.2;
 constexpr double LargestChange = 0.05;
 
 /// A path along edges that turns by less at a vertex, in radians, does not bend there, but passes beside it.
@@ -57,6 +57,14 @@ public:
     const double slope = 2.0 * toB * alongB * length;
     this->Square = 3.0 * rise - 2.0 * this->Linear - slope;
     this->Cube = this->Linear + slope - 2.0 * rise;
+  }
+
+  /// The square of the distance from the point that has given distances from both ends.
+  /// \pre they differ by the length at most.
+  static SquaredDistance OfPoint(double length, double toA, double toB)
+  {
+    const double x = 0.5 * (length + (toA - toB) * (toA + toB) / length);
+    return { length, toA, -x / toA, toB, (length - x) / toB };
   }
 
   double At(double s) const { return this->Constant + s * (this->Linear + s * (this->Square + s * this->Cube)); }
@@ -336,7 +344,7 @@ private:
     const double toA = a.Length - bend, toB = b.Length - bend;
     const double alongA = this->Cosine(this->Surface.Tail(side), a, this->Surface.Direction(side));
     const double alongB = this->Cosine(this->Surface.Head(side), b, this->Surface.Arrival(side));
-    const SquaredDistance square(face.L, toA, alongA, toB, alongB);
+    SquaredDistance square(face.L, toA, alongA, toB, alongB);
     if (toA > 0.0 && toB > 0.0)
     {
       if (alongA - alongB > SmallestMeeting)
@@ -347,7 +355,11 @@ private:
       const double jump = toB - toA - 0.5 * face.L * (alongA + alongB);
       if (square.ChangeOfBend() > LargestChange * face.L * face.L && std::abs(jump) > LargestJump * face.L)
       {
-        return;
+        if (std::abs(toB - toA) > face.L)
+        {
+          return;
+        }
+        square = SquaredDistance::OfPoint(face.L, toA, toB);
       }
     }
     const double s = face.Shortest(square, face.Crossing(face.SourceOf(toA, toB)));
