@@ -20,7 +20,8 @@ constexpr double Rounding = 1e-12;
 /// other: the difference of their cosines.
 constexpr double SmallestMeeting = 0.7;
 /// Along some sides distances rise otherwise than directions say, by more than this over the length, and the second derivative of their
-/// square changes by more than this over the squared length. They belong to wavefronts of which none has both ends.
+/// square changes by more than this over the squared length. They belong to wavefronts of which none has both ends. Of the square by
+/// directions and that of a point by the two distances alone, the one that gives the longer path counts.
 constexpr double LargestJump = 0.2;
 constexpr double LargestChange = 0.05;
 
@@ -344,23 +345,21 @@ private:
     const double toA = a.Length - bend, toB = b.Length - bend;
     const double alongA = this->Cosine(this->Surface.Tail(side), a, this->Surface.Direction(side));
     const double alongB = this->Cosine(this->Surface.Head(side), b, this->Surface.Arrival(side));
-    SquaredDistance square(face.L, toA, alongA, toB, alongB);
-    if (toA > 0.0 && toB > 0.0)
+    if (DoMeet(face.L, a, alongA, b, alongB))
     {
-      if (alongA - alongB > SmallestMeeting)
+      this->AcrossApart(side, a, b);
+      return;
+    }
+    SquaredDistance square(face.L, toA, alongA, toB, alongB);
+    if (toA > 0.0 && toB > 0.0 && IsTorn(square, face.L, toB - toA, 0.5 * (alongA + alongB)))
+    {
+      const SquaredDistance ofPoint = SquaredDistance::OfPoint(face.L, toA, toB);
+      const double first = face.Shortest(square, 0.5), second = face.Shortest(ofPoint, 0.5);
+      if (std::abs(toB - toA) > face.L || first < 0.0 || second < 0.0)
       {
-        this->AcrossApart(side, a, b);
         return;
       }
-      const double jump = toB - toA - 0.5 * face.L * (alongA + alongB);
-      if (square.ChangeOfBend() > LargestChange * face.L * face.L && std::abs(jump) > LargestJump * face.L)
-      {
-        if (std::abs(toB - toA) > face.L)
-        {
-          return;
-        }
-        square = SquaredDistance::OfPoint(face.L, toA, toB);
-      }
+      square = face.LengthAcross(ofPoint, second) > face.LengthAcross(square, first) ? ofPoint : square;
     }
     const double s = face.Shortest(square, face.Crossing(face.SourceOf(toA, toB)));
     if (s >= 0.0)
@@ -374,6 +373,28 @@ private:
         { bend + face.LengthAcross(square, s), this->ArrivalAtApex(side, face, face.C - s * face.L), outset, bend,
           a.Source, s < 0.5 ? std::array<int, 2>{ tail, head } : std::array<int, 2>{ head, tail } });
     }
+  }
+
+  /// Whether the wavefronts at the ends of a side run towards each other. From an end that is a source itself, distances rise as the
+  /// direction at the other end says, or the latter belongs to another place of the source.
+  static bool DoMeet(double length, const ShortestPath& a, double alongA, const ShortestPath& b, double alongB)
+  {
+    if (a.IsAtSource() && b.IsAtSource())
+    {
+      return false;
+    }
+    if (a.IsAtSource() || b.IsAtSource())
+    {
+      const double slope = a.IsAtSource() ? alongB : alongA;
+      return std::abs(b.Length - a.Length - length * slope) > LargestJump * length;
+    }
+    return alongA - alongB > SmallestMeeting;
+  }
+
+  static bool IsTorn(const SquaredDistance& square, double length, double rise, double meanCosine)
+  {
+    return square.ChangeOfBend() > LargestChange * length * length &&
+      std::abs(rise - length * meanCosine) > LargestJump * length;
   }
 
   /// Two wavefronts meet at the side: each end goes on alone, from the place that it sees as its source, where that is the nearer one.

@@ -423,6 +423,10 @@ TEST(SurfaceDistance, HasPathsAroundAHoleOnSurfacesWithBoundary)
 TEST(SurfaceDistance, HasPathsThatAreNoShorterThanExactOnesOfPolyhedra)
 {
   const std::filesystem::path data = DMG_EXACT_DISTANCES, meshes = DMG_MESHES;
+  if (!std::filesystem::exists(meshes))
+  {
+    GTEST_SKIP() << "the meshes are not there";
+  }
   for (const std::filesystem::directory_entry& file : std::filesystem::directory_iterator(data))
   {
     const std::filesystem::path mesh = meshes / file.path().stem().concat(".ply");
