@@ -11,10 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -506,6 +508,46 @@ TEST(SurfaceDistance, HasOffsetLinesThatAreCirclesOfLatitude)
     const double offset = offsets[lines.Values[lines.Order[lines.Offsets[line]]]];
     EXPECT_NEAR(LengthOf(points), 2.0 * Pi * std::cos(std::asin(0.2) - offset), 0.01);
   }
+}
+
+TEST(SurfaceDistance, OfPointsAndLinesAtRandomIsRightToAPartOfAnEdge)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (unsigned seed = 1; seed <= 30; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const FramedMesh surface(IrregularPlane(8, 8, seed).Mesh());
+    Random random(seed);
+    const auto place = [&] { return Vector3(random.Uniform(0.0, 8.0), random.Uniform(0.0, 8.0), 0.0); };
+    DistanceSources sources;
+    std::vector<std::array<Vector3, 2>> segments;
+    for (int k = 0; k < 3; ++k)
+    {
+      sources.Points.push_back(place());
+      sources.Lines.push_back({ place(), place(), place() });
+      segments.push_back({ sources.Points[k], sources.Points[k] });
+      segments.push_back({ sources.Lines[k][0], sources.Lines[k][1] });
+      segments.push_back({ sources.Lines[k][1], sources.Lines[k][2] });
+    }
+    const DistanceField field = SurfaceDistance(surface, sources).Field();
+    EXPECT_EQ(field.Interrupted, 0);
+    for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+    {
+      double exact = std::numeric_limits<double>::infinity();
+      for (const auto& [start, end] : segments)
+      {
+        const Vector3 way = surface.Mesh.Position(vertex) - start, along = end - start;
+        const double squared = along.squaredNorm();
+        const double part = squared > 0.0 ? std::clamp(way.dot(along) / squared, 0.0, 1.0) : 0.0;
+        exact = std::min(exact, (way - part * along).norm());
+      }
+      EXPECT_NEAR(field.Distances[vertex], exact, 0.4) << vertex;
+      sum += std::abs(field.Distances[vertex] - exact);
+      ++count;
+    }
+  }
+  EXPECT_LE(sum / count, 1e-2);
 }
 
 TEST(SurfaceDistance, TakesLinesThatCrossEachOtherAndRunAlongEdges)
