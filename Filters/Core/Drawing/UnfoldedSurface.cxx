@@ -105,7 +105,8 @@ UnfoldedSurface::Exit UnfoldedSurface::Meet(const SurfacePoint& from, Complex di
   return { side, std::clamp(part, 0.0, 1.0) };
 }
 
-bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double length) const
+bool UnfoldedSurface::GoStraight(
+  SurfacePoint& from, Complex& direction, double length, std::vector<Vector3>* crossings) const
 {
   int entry = -1;
   for (int crossed = 0; crossed < MostCrossed; ++crossed)
@@ -118,6 +119,10 @@ bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double 
       return true;
     }
     length -= way;
+    if (crossings)
+    {
+      crossings->push_back(this->PositionAlong(exit.Halfedge, exit.Part));
+    }
     entry = this->Surface.Twin(exit.Halfedge);
     if (entry < 0)
     {

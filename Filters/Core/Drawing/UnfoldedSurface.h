@@ -89,8 +89,10 @@ public:
 
   /// Goes straight on for a length, unfolding face after face.
   /// \param direction unit; is turned into the frame of the last face.
+  /// \param crossings receives the places on sides that are crossed; may be null.
   /// \return false where it meets the boundary before, or has crossed 10,000 triangles, as around a vertex or a spike.
-  bool GoStraight(SurfacePoint& from, Complex& direction, double length) const;
+  bool GoStraight(
+    SurfacePoint& from, Complex& direction, double length, std::vector<Vector3>* crossings = nullptr) const;
 
 private:
   const TriangleMesh& Surface;

@@ -42,7 +42,14 @@ double AreaOfSides(double a, double b, double c)
 
 IntrinsicTriangulation::IntrinsicTriangulation(
   const FramedMesh& surface, const VertexConnection& connection, const ExecutionContext& context)
+  : IntrinsicTriangulation(surface, connection, {}, context)
+{
+}
+
+IntrinsicTriangulation::IntrinsicTriangulation(const FramedMesh& surface, const VertexConnection& connection,
+  std::vector<char> held, const ExecutionContext& context)
   : Twins(surface.Mesh.HalfedgeTwins())
+  , Held(std::move(held))
 {
   const int halfedges = 3 * surface.Mesh.NumberOfFaces();
   this->Tails.resize(halfedges);
@@ -118,7 +125,7 @@ void IntrinsicTriangulation::MakeDelaunay(const ExecutionContext& context)
     }
     const int h = queue.front();
     queue.pop_front();
-    if (this->MayFlip(h))
+    if (!this->IsDelaunay(h) && this->HasOtherDiagonal(h))
     {
       for (const int side : this->Flip(h))
       {
@@ -128,21 +135,23 @@ void IntrinsicTriangulation::MakeDelaunay(const ExecutionContext& context)
   }
 }
 
-bool IntrinsicTriangulation::MayFlip(int halfedge) const
+bool IntrinsicTriangulation::IsDelaunay(int halfedge) const
 {
   const int twin = this->Twin(halfedge);
-  if (twin < 0 || TriangleMesh::FaceOf(twin) == TriangleMesh::FaceOf(halfedge))
+  if (twin < 0)
   {
-    return false;
+    return true;
   }
   const double first = this->Cotangent(halfedge);
   const double second = this->Cotangent(twin);
-  if (first + second >= Rounding * (1.0 + std::abs(first) + std::abs(second)))
-  {
-    return false;
-  }
-  // Both faces make a convex quadrilateral.
-  return this->CornerAngle(halfedge) + this->CornerAngle(TriangleMesh::Next(twin)) < Pi &&
+  return first + second >= Rounding * (1.0 + std::abs(first) + std::abs(second));
+}
+
+bool IntrinsicTriangulation::HasOtherDiagonal(int halfedge) const
+{
+  const int twin = this->Twin(halfedge);
+  return twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge) && !this->IsHeld(halfedge) &&
+    this->CornerAngle(halfedge) + this->CornerAngle(TriangleMesh::Next(twin)) < Pi &&
     this->CornerAngle(TriangleMesh::Next(halfedge)) + this->CornerAngle(twin) < Pi;
 }
 
@@ -166,11 +175,13 @@ std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
     int Twin;
     double Length;
     double Direction;
+    bool IsHeld;
   };
   std::array<Side, 4> sides;
   for (int k = 0; k < 4; ++k)
   {
-    sides[k] = { this->Tails[from[k]], this->Twins[from[k]], this->Lengths[from[k]], this->Directions[from[k]] };
+    sides[k] = { this->Tails[from[k]], this->Twins[from[k]], this->Lengths[from[k]], this->Directions[from[k]],
+      this->IsHeld(from[k]) };
   }
   const auto placeOf = [&](int h)
   {
@@ -182,6 +193,10 @@ std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
     this->Tails[to[k]] = sides[k].Tail;
     this->Lengths[to[k]] = sides[k].Length;
     this->Directions[to[k]] = sides[k].Direction;
+    if (!this->Held.empty())
+    {
+      this->Held[to[k]] = sides[k].IsHeld ? 1 : 0;
+    }
     this->Twins[to[k]] = placeOf(sides[k].Twin);
     if (sides[k].Twin >= 0)
     {
@@ -193,6 +208,10 @@ std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
   this->Tails[f + 2] = d;
   this->Tails[g + 2] = c;
   this->Lengths[f + 2] = this->Lengths[g + 2] = length;
+  if (!this->Held.empty())
+  {
+    this->Held[f + 2] = this->Held[g + 2] = 0;
+  }
   this->Twins[f + 2] = g + 2;
   this->Twins[g + 2] = f + 2;
   this->Directions[g + 2] = this->Directions[f] + this->Stretches[c] * this->CornerAngle(f);

@@ -30,6 +30,9 @@ public:
   /// \throw Cancelled
   IntrinsicTriangulation(
     const FramedMesh& surface, const VertexConnection& connection, const ExecutionContext& context = SerialContext());
+  /// \param held edges of the mesh that stay, one entry per halfedge; the triangulation is Delaunay but for them.
+  IntrinsicTriangulation(const FramedMesh& surface, const VertexConnection& connection, std::vector<char> held,
+    const ExecutionContext& context = SerialContext());
 
   int NumberOfVertices() const { return static_cast<int>(this->Stretches.size()); }
   int NumberOfHalfedges() const { return static_cast<int>(this->Tails.size()); }
@@ -40,11 +43,17 @@ public:
   /// The halfedge on the other side, -1 on the boundary.
   int Twin(int halfedge) const { return this->Twins[halfedge]; }
   double Length(int halfedge) const { return this->Lengths[halfedge]; }
+  /// Whether the edge was to stay.
+  bool IsHeld(int halfedge) const { return !this->Held.empty() && this->Held[halfedge] != 0; }
 
   /// The polar angle of a halfedge at its tail, in radians.
   double Direction(int halfedge) const { return this->Directions[halfedge]; }
   /// The polar angle at its head of the direction in which the halfedge arrives.
   double Arrival(int halfedge) const;
+  /// An angle between directions at a vertex, over that on the surface: 2 pi over the cone angle, 1 on the boundary.
+  double Stretch(int vertex) const { return this->Stretches[vertex]; }
+  /// The angle at the tail of a halfedge in its face, not stretched.
+  double CornerAngle(int halfedge) const;
   /// Carries directions along a halfedge, from the frame of its tail into that of its head; in radians, not reduced.
   double Transport(int halfedge) const { return this->Arrival(halfedge) - this->Direction(halfedge); }
 
@@ -53,15 +62,18 @@ public:
   /// raised to 0.
   double Weight(int halfedge) const;
 
+  /// Whether the two faces of an edge make a convex quadrilateral, so that it has another diagonal, and it is not held.
+  bool HasOtherDiagonal(int halfedge) const;
+  /// Takes the other diagonal. The halfedges of both faces are renumbered.
+  /// \pre HasOtherDiagonal.
+  /// \return the four sides of the two faces: ca, ad, db and bc for the halfedge from a to b.
+  std::array<int, 4> Flip(int halfedge);
+
 private:
   void SetLengths(const TriangleMesh& mesh);
   void SetDirections(const TriangleMesh& mesh, const VertexConnection& connection);
   void MakeDelaunay(const ExecutionContext& context);
-  bool MayFlip(int halfedge) const;
-  /// \return the four sides of the two faces.
-  std::array<int, 4> Flip(int halfedge);
-  /// The angle at the tail of a halfedge in its face, not stretched.
-  double CornerAngle(int halfedge) const;
+  bool IsDelaunay(int halfedge) const;
   double Cotangent(int halfedge) const;
 
   std::vector<int> Tails;
@@ -69,6 +81,7 @@ private:
   std::vector<double> Lengths;
   std::vector<double> Directions;
   std::vector<double> Stretches; // of angles, per vertex
+  std::vector<char> Held;        // per halfedge; empty where no edge is
 };
 
 /// Calls visit(h) for one halfedge of each edge.

@@ -115,9 +115,14 @@ std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matri
   }
 }
 
-double LargestFinite(const Vector<double>& lengths)
+double LongestOf(const std::vector<ShortestPath>& paths)
 {
-  return lengths.array().isFinite().select(lengths, 0.0).maxCoeff();
+  double longest = 0.0;
+  for (const ShortestPath& path : paths)
+  {
+    longest = std::max(longest, path.IsAny() ? path.Length : 0.0);
+  }
+  return longest;
 }
 
 Complex UnitOf(Complex z)
@@ -353,7 +358,9 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
     throw InvalidInput("the direction of the angle 0 is zero or not finite; give one in the tangent plane");
   }
   const Vector<Complex> straight = of.StraightDirections(vertex, direction / length, PartOfContext(context, 0.0, 0.7));
-  const ShortestPaths paths = FindShortestPaths(of.Delaunay, vertex, PartOfContext(context, 0.7, 1.0));
+  constexpr double Anywhere = std::numeric_limits<double>::infinity();
+  const std::vector<ShortestPath> paths =
+    FindShortestPaths(of.Delaunay, { { vertex } }, Anywhere, PartOfContext(context, 0.7, 1.0));
   constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
   LogarithmicMap map{ Vector<Complex>::Constant(size, Complex(Nothing, Nothing)),
     Vector<double>::Constant(size, Nothing), Vector<double>::Constant(size, Nothing), {} };
@@ -361,18 +368,18 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   // Directions of heat are those of straight paths. Where those of the wavefront differ by more than its error, paths bend around a hole.
   constexpr double LargestError = 4.0; // of a wavefront, in edges
   const double edge = std::sqrt(of.Times[vertex] / of.TimeStep);
-  const double largestDifference = LargestError * edge / LargestFinite(paths.Lengths);
+  const double largestDifference = LargestError * edge / LongestOf(paths);
   for (int other = 0; other < size; ++other)
   {
-    if (!std::isfinite(paths.Lengths[other]))
+    if (!paths[other].IsAny())
     {
       ++map.Unreached;
       continue;
     }
-    // A wavefront is off by some of an edge, and no path is shorter than the way through space.
+    // The wavefront may be short where paths from both sides of a sharp rim meet; no path is shorter than the way through space.
     const double throughSpace = (mesh.Position(other) - mesh.Position(vertex)).norm();
-    map.Distances[other] = std::max(paths.Lengths[other], throughSpace);
-    const double turned = std::remainder(paths.Directions[other] - std::arg(direction), 2.0 * Pi);
+    map.Distances[other] = std::max(paths[other].Length, throughSpace);
+    const double turned = std::remainder(paths[other].Outset - std::arg(direction), 2.0 * Pi);
     const double difference = std::abs(std::remainder(turned - std::arg(straight[other]), 2.0 * Pi));
     const bool isStraight = straight[other] != 0.0 && difference <= largestDifference;
     map.Angles[other] =

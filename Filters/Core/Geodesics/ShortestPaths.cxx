@@ -1,40 +1,84 @@
 #include "Geodesics/ShortestPaths.h"
 
+#include "Geodesics/HalfedgeFans.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
-#include <vector>
 
 namespace dmg
 {
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Relative differences of lengths below are rounding errors.
-constexpr double Rounding = 1e-13;
+constexpr double Rounding = 1e-12;
 
-/// A path to a vertex.
-struct Path
+/// Two wavefronts of one source meet at a side, around a hole, a handle or a peak, where their directions at its ends run towards each
+/// other: the difference of their cosines.
+constexpr double SmallestMeeting = 0.7;
+/// Along some sides distances rise otherwise than directions say, by more than this over the length, and the second derivative of their
+/// square changes by more than this over the squared length. They belong to wavefronts of which none has both ends. Of the square by
+/// directions and that of a point by the two distances alone, the one that gives the longer path counts.
+constexpr double LargestJump = 0.2;
+constexpr double LargestChange = 0.05;
+
+/// A path along edges that turns by less at a vertex, in radians, does not bend there, but passes beside it.
+constexpr double StraightAngle = 1e-4;
+
+/// The number of times that the wavefront may leave a vertex. Without a limit the search might not end: across thin triangles, a path need
+/// not be longer than those to the corners that it comes from.
+constexpr int MostVisits = 8;
+
+/// Shorter, or as long and straight for longer.
+bool IsBetter(const ShortestPath& path, const ShortestPath& other)
 {
-  double Length = Infinity;
-  double Start = 0.0;     ///< its length up to the last vertex through which it leads; straight from there
-  double Direction = 0.0; ///< in which it starts
+  const double difference = Rounding * path.Length;
+  return path.Length < other.Length - difference ||
+    (path.Length <= other.Length + difference && path.Bend < other.Bend - difference);
+}
 
-  /// Shorter, or as long and straight for longer.
-  bool IsBetterThan(const Path& other) const
+double AngleBetween(double a, double b)
+{
+  return std::remainder(a - b, 2.0 * Pi);
+}
+
+/// The squared distance along a side of length L, by its values and its derivatives at both ends; s runs from 0 to 1.
+class SquaredDistance
+{
+public:
+  /// \param toA, toB distances of the ends; \param alongA, alongB cosines of the wavefront's directions against the side.
+  SquaredDistance(double length, double toA, double alongA, double toB, double alongB)
+    : Constant(toA * toA)
+    , Linear(2.0 * toA * alongA * length)
   {
-    const double difference = Rounding * this->Length;
-    return this->Length < other.Length - difference ||
-      (this->Length <= other.Length + difference && this->Start < other.Start - difference);
+    const double rise = toB * toB - this->Constant;
+    const double slope = 2.0 * toB * alongB * length;
+    this->Square = 3.0 * rise - 2.0 * this->Linear - slope;
+    this->Cube = this->Linear + slope - 2.0 * rise;
   }
+
+  /// The square of the distance from the point that has given distances from both ends.
+  /// \pre they differ by the length at most.
+  static SquaredDistance OfPoint(double length, double toA, double toB)
+  {
+    const double x = 0.5 * (length + (toA - toB) * (toA + toB) / length);
+    return { length, toA, -x / toA, toB, (length - x) / toB };
+  }
+
+  double At(double s) const { return this->Constant + s * (this->Linear + s * (this->Square + s * this->Cube)); }
+  double Slope(double s) const { return this->Linear + s * (2.0 * this->Square + 3.0 * s * this->Cube); }
+  double Bend(double s) const { return 2.0 * this->Square + 6.0 * s * this->Cube; }
+  /// The change of the second derivative along the side; 0 for one point or straight line in a plane.
+  double ChangeOfBend() const { return std::abs(6.0 * this->Cube); }
+
+private:
+  double Constant, Linear, Square, Cube;
 };
 
-/// A triangle in a plane: the side from A = 0 to B > 0, which a wavefront has reached, and C above.
+/// A triangle in a plane: the side from A = 0 to B = L, which a wavefront has reached, and C above.
 class UnfoldedFace
 {
 public:
@@ -44,83 +88,79 @@ public:
     const double toA = surface.Length(TriangleMesh::Previous(side));
     const double toB = surface.Length(TriangleMesh::Next(side));
     const double x = 0.5 * (this->L + (toA - toB) * (toA + toB) / this->L);
-    this->C = { x, std::sqrt(std::max(toA * toA - x * x, 0.0)) };
+    this->C = { x, std::sqrt(std::max((toA - x) * (toA + x), 0.0)) };
   }
 
-  /// The path to C across the side; of infinite length where there is none.
-  Path Across(const Path& a, const Path& b) const
+  /// The part of the side at which the ray from a point below to C crosses it.
+  double Crossing(Complex below) const
   {
-    constexpr double Tolerance = 1e-6;
-    constexpr double MostSpread = 5.0; // of directions over the angle that the side has for the source
-    const double start = std::min(a.Start, b.Start);
-    const double toA = a.Length - start, toB = b.Length - start;
-    if (!(toA > 0.0) || !(toB > 0.0))
-    {
-      return {};
-    }
-    // The source has the distances of A and B; where there is no such place, it is at infinity.
-    const double x = 0.5 * (this->L + (toA - toB) * (toA + toB) / this->L);
-    const Complex source(x, -std::sqrt(std::max((toA - x) * (toA + x), 0.0)));
-    const double place = x - (this->C.real() - x) * source.imag() / (this->C - source).imag();
-    const double turn = std::remainder(b.Direction - a.Direction, 2.0 * Pi);
-    const double all = std::arg(std::conj(this->L - source) * -source); // clockwise from A to B
-    const bool isOneWavefront = turn <= Tolerance && turn >= -Tolerance - MostSpread * all;
-    if (!isOneWavefront || !(place >= -Tolerance * this->L && place <= (1.0 + Tolerance) * this->L))
-    {
-      return {};
-    }
-    const double part = std::arg(std::conj(this->C - source) * -source);
-    const double share = all > 0.0 ? std::clamp(part / all, 0.0, 1.0) : 0.5;
-    return { start + std::abs(this->C - source), start, a.Direction + share * turn };
+    return (below.real() - (this->C.real() - below.real()) * below.imag() / (this->C - below).imag()) / this->L;
   }
 
-private:
+  /// The place that has given distances from A and B; at infinity where there is none.
+  Complex SourceOf(double toA, double toB) const
+  {
+    const double x = 0.5 * (this->L + (toA - toB) * (toA + toB) / this->L);
+    return { x, -std::sqrt(std::max((toA - x) * (toA + x), 0.0)) };
+  }
+
+  /// The length up to C across the side at s.
+  double LengthAcross(const SquaredDistance& square, double s) const
+  {
+    return std::sqrt(std::max(square.At(s), 0.0)) + std::abs(this->C - s * this->L);
+  }
+
+  /// The part of the side at which the length up to C is least, by Newton's method; negative where that is an end.
+  double Shortest(const SquaredDistance& square, double guess) const
+  {
+    constexpr double Margin = 1e-6; // ends have edges of their own to C
+    constexpr double Enough = 1e-13;
+    constexpr int MostSteps = 60;
+    double low = Margin, high = 1.0 - Margin;
+    if (!(this->Derivatives(square, low)[0] < 0.0 && this->Derivatives(square, high)[0] > 0.0))
+    {
+      return -1.0;
+    }
+    double s = guess > low && guess < high ? guess : 0.5;
+    for (int step = 0; step < MostSteps; ++step)
+    {
+      const auto [slope, bend] = this->Derivatives(square, s);
+      (slope < 0.0 ? low : high) = s;
+      const double newton = bend > 0.0 ? s - slope / bend : -1.0;
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      const double change = std::abs(next - s);
+      s = next;
+      if (change <= Enough)
+      {
+        break;
+      }
+    }
+    return s;
+  }
+
   const double L;
   Complex C;
-};
-
-/// The halfedges that leave each vertex.
-class Fans
-{
-public:
-  explicit Fans(const IntrinsicTriangulation& surface)
-    : Offsets(surface.NumberOfVertices() + 1, 0)
-    , Halfedges(surface.NumberOfHalfedges())
-  {
-    for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
-    {
-      ++this->Offsets[surface.Tail(h) + 1];
-    }
-    for (std::size_t k = 1; k < this->Offsets.size(); ++k)
-    {
-      this->Offsets[k] += this->Offsets[k - 1];
-    }
-    std::vector<int> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
-    {
-      this->Halfedges[next[surface.Tail(h)]++] = h;
-    }
-  }
-
-  template <class Visit>
-  void VisitFan(int vertex, const Visit& visit) const
-  {
-    for (int k = this->Offsets[vertex]; k < this->Offsets[vertex + 1]; ++k)
-    {
-      visit(this->Halfedges[k]);
-    }
-  }
 
 private:
-  std::vector<int> Offsets;
-  std::vector<int> Halfedges;
+  /// The first and the second derivative of the length across the side.
+  std::array<double, 2> Derivatives(const SquaredDistance& square, double s) const
+  {
+    const double root = std::sqrt(std::max(square.At(s), 0.0));
+    const Complex ray = this->C - s * this->L;
+    const double left = std::abs(ray);
+    std::array<double, 2> derivatives = { -this->L * ray.real() / left,
+      this->L * this->L * ray.imag() * ray.imag() / (left * left * left) };
+    if (root > 0.0)
+    {
+      const double slope = square.Slope(s) / (2.0 * root);
+      derivatives[0] += slope;
+      derivatives[1] += (0.5 * square.Bend(s) - slope * slope) / root;
+    }
+    return derivatives;
+  }
 };
 
-/// The number of times that paths may go on from a vertex. Without a limit the search might not end: across thin triangles, a path need
-/// not be longer than those to the corners that it comes from.
-constexpr int MostVisits = 8;
-
-/// Dijkstra's algorithm, with paths across faces beside those along edges. A vertex whose path becomes shorter is visited again.
+/// Dijkstra's algorithm, with paths across faces beside those along edges.
 class Wavefront
 {
 public:
@@ -129,14 +169,22 @@ public:
     , Around(surface)
     , Paths(surface.NumberOfVertices())
     , Visits(surface.NumberOfVertices(), 0)
+    , HasPassed(surface.NumberOfVertices(), 0)
   {
   }
 
-  void Run(int from, const ExecutionContext& context)
+  void Start(const PathStart& start)
+  {
+    ShortestPath path;
+    path.Length = 0.0;
+    path.Source = start.Source;
+    this->Reach(start.Vertex, path);
+  }
+
+  void Run(double maximumDistance, const ExecutionContext& context)
   {
     constexpr int Steps = 65536;
-    this->Reach(from, { 0.0, 0.0, 0.0 });
-    for (int step = 0; !this->Reached.empty(); ++step)
+    for (int step = 0; !this->Reached.empty() && this->Reached.top().first <= maximumDistance; ++step)
     {
       const auto [length, vertex] = this->Reached.top();
       this->Reached.pop();
@@ -144,23 +192,89 @@ public:
       {
         context.Checkpoint(0.0);
       }
-      if (length == this->Paths[vertex].Length)
+      if (length == this->Paths[vertex].Length && !this->HasPassed[vertex])
       {
+        this->HasPassed[vertex] = 1;
         ++this->Visits[vertex];
         this->Around.VisitFan(vertex, [this](int h) { this->Leave(h); });
       }
     }
   }
 
-  const std::vector<Path>& Result() const { return this->Paths; }
+  std::vector<ShortestPath> Result() && { return std::move(this->Paths); }
 
 private:
-  void Reach(int vertex, const Path& path)
+  /// A vertex whose path becomes shorter is visited again, and all that came from its former path is found anew.
+  void Reach(int vertex, const ShortestPath& path)
   {
-    if (this->Visits[vertex] < MostVisits && path.IsBetterThan(this->Paths[vertex]))
+    ShortestPath& best = this->Paths[vertex];
+    if (this->Visits[vertex] >= MostVisits || !IsBetter(path, best) || this->IsParentOf(vertex, path.Parents[0]) ||
+      this->IsParentOf(vertex, path.Parents[1]))
     {
-      this->Paths[vertex] = path;
-      this->Reached.emplace(path.Length, vertex);
+      return;
+    }
+    best = path;
+    this->Reached.emplace(path.Length, vertex);
+    if (this->HasPassed[vertex])
+    {
+      this->HasPassed[vertex] = 0;
+      this->Renew(this->TakeBackFrom(vertex));
+    }
+  }
+
+  bool IsParentOf(int vertex, int child) const
+  {
+    return child >= 0 && (this->Paths[child].Parents[0] == vertex || this->Paths[child].Parents[1] == vertex);
+  }
+
+  /// Forgets all paths that lead past a vertex. \return their ends.
+  std::vector<int> TakeBackFrom(int vertex)
+  {
+    std::vector<int> ends;
+    std::vector<int> stack = { vertex };
+    const auto takeBack = [&](int end, int parent)
+    {
+      if (this->IsParentOf(parent, end) && this->Visits[end] < MostVisits)
+      {
+        this->Paths[end] = {};
+        this->HasPassed[end] = 0;
+        ends.push_back(end);
+        stack.push_back(end);
+      }
+    };
+    while (!stack.empty())
+    {
+      const int parent = stack.back();
+      stack.pop_back();
+      this->Around.VisitFan(parent,
+        [&](int h)
+        {
+          takeBack(this->Surface.Head(h), parent);
+          takeBack(this->Surface.Tail(TriangleMesh::Previous(h)), parent);
+        });
+    }
+    return ends;
+  }
+
+  /// Finds paths to vertices from where the wavefront has passed.
+  void Renew(const std::vector<int>& vertices)
+  {
+    for (const int vertex : vertices)
+    {
+      this->Around.VisitFan(vertex,
+        [&](int h)
+        {
+          const int back = TriangleMesh::Previous(h);
+          if (this->HasPassed[this->Surface.Head(h)])
+          {
+            this->Against(h);
+          }
+          if (this->HasPassed[this->Surface.Tail(back)])
+          {
+            this->Along(back);
+          }
+          this->Across(TriangleMesh::Next(h));
+        });
     }
   }
 
@@ -168,54 +282,203 @@ private:
   void Leave(int h)
   {
     const int back = TriangleMesh::Previous(h);
-    const int vertex = this->Surface.Tail(h);
-    this->Along(vertex, this->Surface.Head(h), this->Surface.Direction(h), h);
-    this->Along(vertex, this->Surface.Tail(back), this->Surface.Arrival(back) + Pi, back);
+    this->Along(h);
+    this->Against(back);
     this->Across(h);
     this->Across(back);
   }
 
-  void Along(int vertex, int to, double direction, int edge)
+  void Along(int h)
   {
-    const Path& path = this->Paths[vertex];
-    this->Reach(
-      to, { path.Length + this->Surface.Length(edge), path.Length, path.Length > 0.0 ? path.Direction : direction });
+    this->GoOn(this->Surface.Tail(h), this->Surface.Head(h), this->Surface.Direction(h), this->Surface.Arrival(h),
+      this->Surface.Length(h));
+  }
+
+  /// From the head of a halfedge to its tail.
+  void Against(int h)
+  {
+    this->GoOn(this->Surface.Head(h), this->Surface.Tail(h), this->Surface.Arrival(h) + Pi,
+      this->Surface.Direction(h) + Pi, this->Surface.Length(h));
+  }
+
+  void GoOn(int from, int to, double direction, double arrival, double length)
+  {
+    const ShortestPath& path = this->Paths[from];
+    const double outset = path.IsAtSource() ? direction : path.Outset;
+    const double turn = AngleBetween(direction, path.Arrival) / this->Surface.Stretch(from);
+    if (path.IsAtSource() || std::abs(turn) > StraightAngle)
+    {
+      this->Reach(to, { path.Length + length, arrival, outset, path.Length, path.Source, { from, from } });
+      return;
+    }
+    const Complex ray = length + std::polar(path.Length - path.Bend, -turn);
+    this->Reach(to,
+      { path.Bend + std::abs(ray), arrival + this->Surface.Stretch(to) * std::arg(ray), outset, path.Bend, path.Source,
+        { from, from } });
   }
 
   void Across(int side)
   {
     const int tail = this->Surface.Tail(side), head = this->Surface.Head(side);
-    if (this->Visits[tail] > 0 && this->Visits[head] > 0)
+    if (!this->HasPassed[tail] || !this->HasPassed[head])
     {
-      const Path& a = this->Paths[tail];
-      const Path& b = this->Paths[head];
-      const int opposite = this->Surface.Tail(TriangleMesh::Previous(side));
-      this->Reach(opposite, UnfoldedFace(this->Surface, side).Across(a, b));
+      return;
     }
+    const ShortestPath& a = this->Paths[tail];
+    const ShortestPath& b = this->Paths[head];
+    const bool isAtSources = a.IsAtSource() && b.IsAtSource();
+    if (isAtSources ? this->Surface.IsHeld(side) : a.Source == b.Source)
+    {
+      this->AcrossTogether(side, a, b);
+    }
+    else if (!isAtSources) // else the edges of both ends are as short
+    {
+      this->AcrossApart(side, a, b);
+    }
+  }
+
+  /// One wavefront reaches both ends of the side.
+  void AcrossTogether(int side, const ShortestPath& a, const ShortestPath& b)
+  {
+    const UnfoldedFace face(this->Surface, side);
+    const double bend = std::min(a.Bend, b.Bend);
+    const double toA = a.Length - bend, toB = b.Length - bend;
+    const double alongA = this->Cosine(this->Surface.Tail(side), a, this->Surface.Direction(side));
+    const double alongB = this->Cosine(this->Surface.Head(side), b, this->Surface.Arrival(side));
+    if (DoMeet(face.L, a, alongA, b, alongB))
+    {
+      this->AcrossApart(side, a, b);
+      return;
+    }
+    SquaredDistance square(face.L, toA, alongA, toB, alongB);
+    if (toA > 0.0 && toB > 0.0 && IsTorn(square, face.L, toB - toA, 0.5 * (alongA + alongB)))
+    {
+      const SquaredDistance ofPoint = SquaredDistance::OfPoint(face.L, toA, toB);
+      const double first = face.Shortest(square, 0.5), second = face.Shortest(ofPoint, 0.5);
+      if (std::abs(toB - toA) > face.L || first < 0.0 || second < 0.0)
+      {
+        return;
+      }
+      square = face.LengthAcross(ofPoint, second) > face.LengthAcross(square, first) ? ofPoint : square;
+    }
+    const double s = face.Shortest(square, face.Crossing(face.SourceOf(toA, toB)));
+    if (s >= 0.0)
+    {
+      const int tail = this->Surface.Tail(side), head = this->Surface.Head(side);
+      const double part = PartOfAngle(toA, std::sqrt(std::max(square.At(s), 0.0)), toB, s * face.L, face.L);
+      const double outset = toA > 0.0 && toB > 0.0 ? a.Outset + part * AngleBetween(b.Outset, a.Outset)
+        : toA > 0.0                                ? a.Outset
+                                                   : b.Outset;
+      this->Reach(this->Apex(side),
+        { bend + face.LengthAcross(square, s), this->ArrivalAtApex(side, face, face.C - s * face.L), outset, bend,
+          a.Source, s < 0.5 ? std::array<int, 2>{ tail, head } : std::array<int, 2>{ head, tail } });
+    }
+  }
+
+  /// Whether the wavefronts at the ends of a side run towards each other. From an end that is a source itself, distances rise as the
+  /// direction at the other end says, or the latter belongs to another place of the source.
+  static bool DoMeet(double length, const ShortestPath& a, double alongA, const ShortestPath& b, double alongB)
+  {
+    if (a.IsAtSource() && b.IsAtSource())
+    {
+      return false;
+    }
+    if (a.IsAtSource() || b.IsAtSource())
+    {
+      const double slope = a.IsAtSource() ? alongB : alongA;
+      return std::abs(b.Length - a.Length - length * slope) > LargestJump * length;
+    }
+    return alongA - alongB > SmallestMeeting;
+  }
+
+  static bool IsTorn(const SquaredDistance& square, double length, double rise, double meanCosine)
+  {
+    return square.ChangeOfBend() > LargestChange * length * length &&
+      std::abs(rise - length * meanCosine) > LargestJump * length;
+  }
+
+  /// Two wavefronts meet at the side: each end goes on alone, from the place that it sees as its source, where that is the nearer one.
+  void AcrossApart(int side, const ShortestPath& a, const ShortestPath& b)
+  {
+    const UnfoldedFace face(this->Surface, side);
+    const int tail = this->Surface.Tail(side), head = this->Surface.Head(side);
+    const Complex fromA = this->SeenFrom(tail, a, this->Surface.Direction(side));
+    const Complex fromB = face.L + this->SeenFrom(head, b, this->Surface.Arrival(side));
+    this->AcrossAlone(side, face, { a, fromA, tail }, { b, fromB, head });
+    this->AcrossAlone(side, face, { b, fromB, head }, { a, fromA, tail });
+  }
+
+  /// The place from which a path comes straight to a vertex, against the vertex, in a plane where a direction is that of the x axis.
+  Complex SeenFrom(int vertex, const ShortestPath& path, double direction) const
+  {
+    return -std::polar(path.Length - path.Bend, AngleBetween(path.Arrival, direction) / this->Surface.Stretch(vertex));
+  }
+
+  /// A path to an end of a side, and the place from which it comes straight there.
+  struct StraightPath
+  {
+    const ShortestPath& Path;
+    Complex From;
+    int End;
+
+    double LengthTo(Complex place) const { return this->Path.Bend + std::abs(place - this->From); }
+  };
+
+  void AcrossAlone(int side, const UnfoldedFace& face, const StraightPath& path, const StraightPath& other)
+  {
+    const double crossing = path.From.imag() < 0.0 ? face.Crossing(path.From) : -1.0;
+    if (crossing >= 0.0 && crossing <= 1.0 && path.LengthTo(crossing * face.L) <= other.LengthTo(crossing * face.L))
+    {
+      this->Reach(this->Apex(side),
+        { path.LengthTo(face.C), this->ArrivalAtApex(side, face, face.C - path.From), path.Path.Outset, path.Path.Bend,
+          path.Path.Source, { path.End, other.End } });
+    }
+  }
+
+  int Apex(int side) const { return this->Surface.Tail(TriangleMesh::Previous(side)); }
+
+  /// The direction of a ray of the unfolded face at its third corner.
+  double ArrivalAtApex(int side, const UnfoldedFace& face, Complex ray) const
+  {
+    const int toA = TriangleMesh::Previous(side);
+    return this->Surface.Direction(toA) + Pi + this->Surface.Stretch(this->Apex(side)) * std::arg(ray / face.C);
+  }
+
+  double Cosine(int vertex, const ShortestPath& path, double direction) const
+  {
+    return path.IsAtSource() ? 0.0 : std::cos(AngleBetween(path.Arrival, direction) / this->Surface.Stretch(vertex));
+  }
+
+  /// The angle that a part of a side has for a source, over that of the whole side.
+  static double PartOfAngle(double toA, double toPlace, double toB, double part, double whole)
+  {
+    const auto angle = [](double a, double b, double c)
+    { return std::asin(std::sqrt(std::clamp((c - a + b) * (c + a - b) / (4.0 * a * b), 0.0, 1.0))); };
+    const double all = angle(toA, toB, whole);
+    return all > 0.0 ? std::clamp(angle(toA, toPlace, part) / all, 0.0, 1.0) : part / whole;
   }
 
   using Entry = std::pair<double, int>;
   const IntrinsicTriangulation& Surface;
-  const Fans Around;
-  std::vector<Path> Paths; ///< by vertex, the best so far
-  std::vector<int> Visits; ///< how often paths have gone on from the vertex
+  const HalfedgeFans Around;
+  std::vector<ShortestPath> Paths; ///< by vertex, the best so far
+  std::vector<int> Visits;         ///< how often the wavefront has left the vertex
+  std::vector<char> HasPassed;     ///< whether it has left the vertex since its path became better
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> Reached;
 };
 
 }
 
-ShortestPaths FindShortestPaths(const IntrinsicTriangulation& surface, int from, const ExecutionContext& context)
+std::vector<ShortestPath> FindShortestPaths(const IntrinsicTriangulation& surface, const std::vector<PathStart>& starts,
+  double maximumDistance, const ExecutionContext& context)
 {
   Wavefront front(surface);
-  front.Run(from, context);
-  const int size = surface.NumberOfVertices();
-  ShortestPaths paths{ Vector<double>(size), Vector<double>(size) };
-  for (int vertex = 0; vertex < size; ++vertex)
+  for (const PathStart& start : starts)
   {
-    paths.Lengths[vertex] = front.Result()[vertex].Length;
-    paths.Directions[vertex] = front.Result()[vertex].Direction;
+    front.Start(start);
   }
-  return paths;
+  front.Run(maximumDistance, context);
+  return std::move(front).Result();
 }
 
 }

@@ -1,9 +1,11 @@
 #include "Geodesics/IntrinsicTriangulation.h"
 
+#include "Geodesics/EdgePath.h"
 #include "Support/MeshFactory.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -126,4 +128,81 @@ TEST(IntrinsicTriangulation, GivesFacesWithoutAreaOne)
   }
   const double area = sphere.On.Mesh.FaceAreas().sum();
   EXPECT_NEAR(AreaOf(sphere.Delaunay), area, 1e-4 * area);
+}
+
+TEST(IntrinsicTriangulation, KeepsEdgesThatAreHeld)
+{
+  const Surface sheared = Sheared(PlaneGrid(12, 12), 2.0);
+  const Triangulated plane(sheared);
+  const TriangleMesh& mesh = plane.On.Mesh;
+  std::vector<char> held(3 * mesh.NumberOfFaces(), 0);
+  int count = 0;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    // Those that go up: most others are Delaunay only after flips.
+    const Vector3 along = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
+    held[h] = std::abs(along.x()) > 2.5;
+    count += held[h];
+  }
+  ASSERT_GT(count, 100);
+  const IntrinsicTriangulation delaunay(plane.On, plane.Connection, held);
+  int kept = 0;
+  for (int h = 0; h < delaunay.NumberOfHalfedges(); ++h)
+  {
+    kept += delaunay.IsHeld(h);
+    EXPECT_FALSE(delaunay.IsHeld(h) && delaunay.HasOtherDiagonal(h));
+    const Vector3 along = mesh.Position(delaunay.Head(h)) - mesh.Position(delaunay.Tail(h));
+    EXPECT_NEAR(along.norm(), delaunay.Length(h), 1e-9);
+    EXPECT_EQ(delaunay.IsHeld(h), std::abs(along.x()) > 2.5);
+  }
+  EXPECT_EQ(kept, count);
+}
+
+TEST(EdgePath, BecomesAStraightLineInAPlane)
+{
+  constexpr int Cells = 14;
+  const Triangulated plane(IrregularPlane(Cells, Cells, 5));
+  const TriangleMesh& mesh = plane.On.Mesh;
+  IntrinsicTriangulation surface = plane.Delaunay;
+  // Along the boundary, from one corner to the opposite one, and to others.
+  for (const bool isAlongX : { true, false })
+  {
+    for (const int turns : { 1, 2, 3 })
+    {
+      EdgePath path;
+      const auto go = [&](int from, int to)
+      {
+        EdgePath::Step step{ -1, -1 };
+        for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
+        {
+          step.Along = surface.Tail(h) == from && surface.Head(h) == to ? h : step.Along;
+          step.Against = surface.Tail(h) == to && surface.Head(h) == from ? h : step.Against;
+        }
+        path.Steps.push_back(step);
+      };
+      surface = plane.Delaunay;
+      // The corners of the square, in one of both orders around it.
+      const Vector3 corners[] = { { 0.0, 0.0, 0.0 }, { isAlongX ? Cells : 0.0, isAlongX ? 0.0 : Cells, 0.0 },
+        { Cells, Cells, 0.0 }, { isAlongX ? 0.0 : Cells, isAlongX ? Cells : 0.0, 0.0 } };
+      const auto vertexAt = [&](const Vector3& place)
+      {
+        int nearest = 0;
+        (mesh.VertexPositions().rowwise() - place.transpose()).rowwise().norm().minCoeff(&nearest);
+        return nearest;
+      };
+      for (int side = 0; side < turns; ++side)
+      {
+        for (int k = 0; k < Cells; ++k)
+        {
+          const auto place = [&](int at)
+          { return Vector3(corners[side] + at / static_cast<double>(Cells) * (corners[side + 1] - corners[side])); };
+          go(vertexAt(place(k)), vertexAt(place(k + 1)));
+        }
+      }
+      EXPECT_NEAR(path.Length(surface), turns * Cells, 1e-9);
+      MakeShortest(path, surface);
+      EXPECT_NEAR(path.Length(surface), (corners[turns] - corners[0]).norm(), 1e-6);
+      EXPECT_NEAR(AreaOf(surface), Cells * Cells, 1e-6);
+    }
+  }
 }

@@ -1,0 +1,102 @@
+#ifndef dmgSplitSurface_h
+#define dmgSplitSurface_h
+
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace dmg
+{
+
+/// A surface whose faces are split such that places on it become vertices and straight lines become edges. The shape stays: parts of a face
+/// lie in its plane. Triangles become thin, which does the intrinsic Delaunay triangulation no harm.
+///
+/// Vertices of the surface keep their numbers; those of places follow.
+class SplitSurface
+{
+public:
+  static constexpr double SnapOfPoints = 1e-8;
+  static constexpr double SnapOfLines = 1e-5;
+
+  /// Borrows the surface. Cost: O(#F).
+  explicit SplitSurface(const FramedMesh& surface);
+
+  /// \param place on the face.
+  /// \param snap places that are nearer to a vertex or an edge move there, relative to the longest side of the face. Very short edges
+  ///   would cost digits.
+  /// \return the vertex there.
+  /// Cost: linear in the number of parts that the face has.
+  int AddPoint(int face, const Vector3& place, double snap = SnapOfPoints);
+
+  /// The side of a line that is inside.
+  enum class InsideOfLine
+  {
+    Left,
+    Right,
+    Neither,
+  };
+  /// A line, by a number of its own (>= 0).
+  struct Line
+  {
+    int Number;
+    InsideOfLine Inside = InsideOfLine::Neither;
+
+    Line Reversed() const;
+  };
+  /// The side of a line that is to the left of a halfedge.
+  enum Sides : char
+  {
+    Unknown,
+    Inside,
+    Outside,
+    Both, ///< lines contradict each other
+  };
+
+  /// Makes edges of the straight line between two vertices of the same face or of neighbours.
+  /// \param face, nextFace where the vertices were added.
+  /// \return false where the faces have no point in common.
+  bool AddLine(int from, int face, int to, int nextFace, const Line& line);
+  /// Makes a halfedge of the surface a line.
+  /// \pre no face is split yet.
+  void AddLine(int halfedge, const Line& line);
+
+  /// The number of the line that a halfedge is part of, and -1 for others.
+  const std::vector<int>& Lines() const { return this->NumbersOfLines; }
+  /// The side of its line that is to the left of a halfedge.
+  Sides SideOf(int halfedge) const { return static_cast<Sides>(this->SidesOfLines[halfedge]); }
+  bool IsSplit() const { return static_cast<int>(this->Positions.size()) > this->Surface.Mesh.NumberOfVertices(); }
+
+  /// The surface with the parts as faces; halfedges are numbered as here.
+  FramedMesh Make(const ExecutionContext& context = SerialContext()) const;
+
+private:
+  const std::vector<int>& PartsOf(int face);
+  bool IsCorner(int vertex, int face);
+  Complex InPlane(int face, const Vector3& position) const;
+  Complex InPlane(int face, int vertex) const { return this->InPlane(face, this->Positions[vertex]); }
+  double SizeOf(int face) const;
+  int Head(int halfedge) const { return this->Tails[TriangleMesh::Next(halfedge)]; }
+  int AddFace(int part, int a, int b, int c);
+  void Join(int halfedge, int twin);
+  void MoveSide(int from, int to);
+  int SplitFace(int part, const Vector3& place);
+  int SplitEdge(int halfedge, const Vector3& place);
+  bool Cut(int from, int to, int face, const Line& line);
+  int GoOn(int from, int to, int face);
+
+  const FramedMesh& Surface;
+  std::vector<Vector3> Positions;
+  std::vector<int> Tails;                          // per halfedge
+  std::vector<int> Twins;                          // per halfedge
+  std::vector<int> NumbersOfLines;                 // per halfedge
+  std::vector<char> SidesOfLines;                  // per halfedge
+  std::vector<int> Faces;                          // of the surface, per part
+  std::unordered_map<int, std::vector<int>> Parts; // of the faces that are split
+};
+
+}
+
+#endif

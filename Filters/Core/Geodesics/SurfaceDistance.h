@@ -1,0 +1,114 @@
+#ifndef dmgSurfaceDistance_h
+#define dmgSurfaceDistance_h
+
+#include "Drawing/ContourLines.h"
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The places where distance is 0. Each vertex, point and line is a source of its own; the region, the boundary and the sharp edges are one
+/// each. Sources are numbered in the order of these members.
+struct DistanceSources
+{
+  std::vector<int> Vertices = {};
+  std::vector<Vector3> Points = {}; ///< in space; brought to the nearest place of the surface
+  std::vector<std::vector<Vector3>>
+    Lines = {};                  ///< polylines in space, likewise; closed where the last point is the first one
+  std::vector<char> Region = {}; ///< per face, not 0 for those of the region; or empty
+  bool Boundary = false;         ///< of the surface
+  double FeatureAngle = 0.0; ///< in degrees; edges whose faces have a larger angle between them are sharp. 0 is off.
+};
+
+struct DistanceOptions
+{
+  /// Distances beyond it are not computed, which saves time.
+  double MaximumDistance = std::numeric_limits<double>::infinity();
+  /// Whether distances are negative inside: in the region, and to the left of lines, seen from the positive side of the surface
+  /// (PositiveSide.h). Needs lines or a region that part the surface, and no points.
+  bool Signed = false;
+  /// Points and lines that are farther from the surface are left out; relative to the diagonal of its bounding box.
+  double MaximumSourceDistance = 0.1;
+  /// Places to which paths are asked for; brought to the surface as points.
+  std::vector<Vector3> Targets = {};
+};
+
+/// Distances along a surface from the nearest source.
+struct DistanceField
+{
+  Vector<double> Distances; ///< #V; NaN where no path leads, or beyond the maximum
+  std::vector<int> Sources; ///< #V, the number of the nearest source, -1 where there is no distance
+  Points Directions;        ///< #V x 3, unit: away from the source; zero at sources and where there is no distance
+  int Unreached = 0;        ///< vertices without a distance
+  double Largest = 0.0;     ///< distance, without its sign
+  int Taken = 0;            ///< sources
+  int TooFar = 0;           ///< points, and segments of lines, that are too far from the surface, or hidden by it
+  int Interrupted = 0;      ///< gaps of lines between faces that have no point in common
+  bool IsSigned = false;    ///< whether distances inside are negative
+  std::vector<std::string> Warnings; ///< one sentence each
+};
+
+/// A shortest path over the surface.
+struct SurfacePath
+{
+  std::vector<Vector3> Points; ///< on edges of the surface, from the source to the target; none where no path leads
+  double Length = std::numeric_limits<double>::infinity();
+  int Source = -1;
+};
+
+/// Distances along a surface from points, lines, regions and the boundary, with signs, the nearest source, shortest paths and offset lines.
+///
+///   dmg::DistanceSources sources;
+///   sources.Lines = { stroke };
+///   dmg::SurfaceDistance distance(surface, sources);
+///   distance.Field().Distances;
+///   distance.OffsetLines({ 0.1, 0.2 });
+///   distance.PathTo(vertex).Points;
+///
+/// Places in faces become vertices, and lines become edges that stay, of an intrinsic Delaunay triangulation, over which a wavefront runs
+/// (FindShortestPaths). SurfaceDistance.md has the method. Exact in planes and on what unfolds into one, of second order
+/// elsewhere. Paths are made shortest by flips of edges (MakeShortest): they are locally shortest, and near cut loci a shorter one may lead around
+/// the other side of a hill.
+/// Cost: O(#V log #V); for each path, O(#F) and its flips.
+class SurfaceDistance
+{
+public:
+  /// \param surface is borrowed.
+  /// \throw InvalidInput there is no source, or all are too far away; a number is not finite or of no element.
+  /// \throw Cancelled
+  SurfaceDistance(const FramedMesh& surface, const DistanceSources& sources, const DistanceOptions& options = {},
+    const ExecutionContext& context = SerialContext());
+  ~SurfaceDistance();
+  SurfaceDistance(SurfaceDistance&&) noexcept;
+
+  const DistanceField& Field() const;
+
+  /// The shortest path to a vertex from its nearest source.
+  /// \throw InvalidInput there is no such vertex.
+  /// \throw Cancelled
+  SurfacePath PathTo(int vertex, const ExecutionContext& context = SerialContext()) const;
+  /// The shortest path to one of the targets of the options. None where it is too far from the surface.
+  /// \throw InvalidInput there is no such target.
+  /// \throw Cancelled
+  SurfacePath PathToTarget(int target, const ExecutionContext& context = SerialContext()) const;
+
+  /// Lines at given distances, on both sides of sources, or with signs as Field().Distances has them. Their Values count in the sorted
+  /// distances.
+  /// \throw InvalidInput a distance is not finite, or beyond the maximum.
+  ContourLines OffsetLines(std::vector<double> distances, const ExecutionContext& context = SerialContext()) const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif
