@@ -35,7 +35,7 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     boundary, circulation, flux and stream function (see vtkHodgeDecomposition).
 
     NaN is no flow: such cells take no part, and are NaN in the result. Counter-clockwise is positive, as seen from outside, from +z
-    in a plane of constant z, else from the side of the cells.
+    in a plane of constant z, from the convex side of tubes and domes, else from the side of the cells.
 
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
     filter refuses; warns with FieldWarning.

@@ -132,7 +132,7 @@ vtkSmartPointer<vtkDataSet> SkinOfVolume(vtkDataSet* dataset)
   const ShortArraysApart ofCells(copy->GetCellData(), copy->GetNumberOfCells());
   vtkNew<vtkGeometryFilter> skin;
   skin->SetInputData(copy);
-  // In several threads, VTK 9.1 orders the cells by who comes first.
+  // Several threads of VTK 9.1 order the cells by who comes first.
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, [&skin] { skin->Update(); });
   vtkSmartPointer<vtkDataSet> result = skin->GetOutput();
   if (vtkUnstructuredGrid::SafeDownCast(dataset))

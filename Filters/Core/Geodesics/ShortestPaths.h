@@ -40,8 +40,8 @@ struct PathStart
 /// polynomial, by Hermite's formula, and the third corner takes the least of the distance on the side and the straight way from there.
 /// ParallelTransport.md has the formulas.
 ///
-/// Held edges whose ends are both starts are lines at distance 0. Exact in a plane and on surfaces that unfold into one, for vertices and
-/// for straight lines, where no hole or reentrant corner is on the way; of second order on curved surfaces. A path that
+/// Held edges whose ends are both starts are lines at distance 0. Exact in a plane, on folded sheets, cylinders and cones, for vertices and
+/// for straight lines, where no hole or reentrant corner is on the way; of second order on smooth surfaces. A path that
 /// bends around a vertex starts anew there, and distances count from there.
 /// Cost: O(#V log #V), but for the few vertices that a shorter path reaches late. Memory: some numbers per vertex.
 /// \param starts of several at one vertex, the first counts.
