@@ -62,7 +62,7 @@
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
  * | CellsWithoutFlow                            | 1          | cells that took no part                                              |
- * | PositiveSide                                | 1          | the outside of closed surfaces and globes, +z in planes of constant z, the convex side of tubes and domes, else the side of the cells |
+ * | PositiveSide                                | 1          | the outside, +z in planes of constant z, a convex side, else that of the cells |
  * | Solver, Converged, SolverBytes              | 1          | see Filters/HarmonicFieldSolver.md                                   |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the

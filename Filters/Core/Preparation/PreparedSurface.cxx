@@ -225,15 +225,15 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
 /// Turns all triangles of the components whose corners are clockwise, seen from the positive side.
 PreparedSurface SeenFromPositiveSide(PreparedSurface&& surface, const ExecutionContext& context)
 {
-  const Vector<double> sides = FindSides(surface.Mesh).OfFaces;
-  if ((sides.array() > 0.0).all())
+  const std::vector<char> isTurned = FacesToTurn(surface.Mesh);
+  if (std::none_of(isTurned.begin(), isTurned.end(), [](char turned) { return turned != 0; }))
   {
     return std::move(surface);
   }
   Triangles corners = surface.Mesh.FaceCorners();
   for (Eigen::Index face = 0; face < corners.rows(); ++face)
   {
-    if (sides[face] < 0.0)
+    if (isTurned[face])
     {
       std::swap(corners(face, 1), corners(face, 2));
     }

@@ -51,8 +51,8 @@ struct PreparedSurface
 ///   cut along a short seam.
 /// - A point whose triangles form several fans becomes a vertex for each of them.
 ///
-/// The corners of all faces are counter-clockwise, seen from the positive side of their component (PositiveSide.h): the triangles of
-/// components that are given the other way round are turned, which is no repair. So rotations, the order of directions, normal parts and
+/// The corners of faces are counter-clockwise, seen from the positive side (FacesToTurn): triangles of components that are given the other
+/// way round are turned, which is no repair. So rotations, the order of directions, normal parts and
 /// curvatures have signs that do not depend on the order of a file's rows or cells.
 ///
 /// \throw InvalidInput a coordinate that is not finite, corners out of range, no triangle with an area, too many

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -87,6 +88,56 @@ TEST(PositiveSide, OfOtherSurfacesIsThatOfTheirCellsUnlessTheyAreCalledAGlobe)
     EXPECT_EQ(SideOf(each), std::make_pair(PositiveSide::OfCells, 1.0));
   }
   EXPECT_NE(SideOf(wall, true).second, SideOf(Mirrored(wall), true).second);
+}
+
+TEST(PositiveSide, OfTubesAndDomesIsTheConvexOne)
+{
+  Surface tube = PlaneGrid(24, 6), dome = PlaneGrid(8, 8);
+  for (int point = 0; point < tube.V.rows(); ++point)
+  {
+    const double angle = 2.0 * Pi * tube.V(point, 0) / 25.0; // a slit stays open
+    const double height = 0.5 * tube.V(point, 1);
+    tube.V.row(point) << 7.0 + std::cos(angle), std::sin(angle), height;
+  }
+  for (int point = 0; point < dome.V.rows(); ++point)
+  {
+    const double x = dome.V(point, 0) - 4.0, y = dome.V(point, 1) - 4.0;
+    dome.V(point, 2) = 50.0 - 0.1 * (x * x + y * y);
+  }
+  for (const Surface& surface : { tube, dome })
+  {
+    const double sign = SideOf(surface).second;
+    EXPECT_EQ(SideOf(surface).first, PositiveSide::Convex);
+    EXPECT_EQ(SideOf(Mirrored(surface)), std::make_pair(PositiveSide::Convex, -sign));
+    const TriangleMesh mesh = surface.Mesh();
+    Vector3 centre = Vector3::Zero();
+    for (int point = 0; point < mesh.NumberOfVertices(); ++point)
+    {
+      centre += mesh.Position(point) / mesh.NumberOfVertices();
+    }
+    double outwards = 0.0;
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      outwards += mesh.FaceAreaVector(face).dot(mesh.Position(mesh.Tail(3 * face)) - centre);
+    }
+    EXPECT_GT(sign * outwards, 0.0);
+  }
+}
+
+TEST(PositiveSide, KeepsTheCavityOfASolid)
+{
+  Surface cavity = Mirrored(Icosphere(1));
+  cavity.V *= 0.5;
+  const Surface shell = Union(Icosphere(2), cavity, Vector3::Zero());
+  const auto turned = [](const Surface& surface)
+  {
+    const std::vector<char> faces = FacesToTurn(surface.Mesh());
+    return std::count(faces.begin(), faces.end(), 1);
+  };
+  EXPECT_EQ(turned(shell), 0);
+  EXPECT_EQ(turned(Mirrored(shell)), shell.F.rows());
+  EXPECT_EQ(turned(Mirrored(Icosphere(2))), Icosphere(2).F.rows());
+  EXPECT_EQ(turned(Union(Icosphere(2), Mirrored(PlaneGrid(4, 4)), { 5.0, 0.0, 0.0 })), 32);
 }
 
 TEST(PositiveSide, BelongsToEachComponentByItself)
