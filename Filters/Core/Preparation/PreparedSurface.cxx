@@ -272,7 +272,7 @@ PreparedSurface PrepareSurface(
     }
   }
   given = CellTriangles(); // frees its memory before more is needed
-  PreparedSurface seen = SeenFromPositiveSide(std::move(*surface), context);
+  PreparedSurface seen = options.IsPiece ? std::move(*surface) : SeenFromPositiveSide(std::move(*surface), context);
   seen.Relation.SetEdges(seen.Mesh, context);
   return seen;
 }

@@ -22,10 +22,12 @@ struct PreparationOptions
   dmg::Numbering Order = Numbering::Spatial;
   bool JoinPoints = true; ///< points that coincide are one
   bool Strict = false;    ///< what is not an oriented manifold surface is refused; no points are joined
+  bool IsPiece = false;   ///< of a larger surface, whose positive side only the whole has; it keeps that of its cells
 
   bool operator==(const PreparationOptions& other) const
   {
-    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict;
+    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict &&
+      this->IsPiece == other.IsPiece;
   }
 };
 
