@@ -144,7 +144,7 @@ class AnySurface(unittest.TestCase):
         for depth, kind, cells in ((2, vtkPolyData, 52), (0, vtkImageData, 12), (1, vtkPolyData, 38)):
             source.SetWholeExtent(0, 4, 0, 3, 0, depth)
             field = update(below)
-            self.assertIs(type(field), kind)
+            self.assertIsInstance(field, kind)
             self.assertEqual(field.GetNumberOfCells(), cells)
         for name in ("ring_of_5", "at_an_edge_of_6"):
             data = volumes()[name][0]

@@ -77,13 +77,17 @@ private:
   void CheckUnstructuredGrid(vtkUnstructuredGrid* grid) const
   {
     this->CheckIds(grid->GetCells(), 0);
-    vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0) // one value may stand for all
+    vtkDataArray* const types = grid->GetCellTypes();
+#else
+    vtkDataArray* const types = grid->GetCellTypesArray();
+#endif
     if (grid->GetNumberOfCells() > 0 && (!types || types->GetNumberOfTuples() < grid->GetNumberOfCells()))
     {
       this->RefuseSize("types", types ? types->GetNumberOfTuples() : 0, grid->GetNumberOfCells(), "cells");
     }
-    this->CheckSizes(grid, types);
-    this->CheckPolyhedra(grid, types);
+    this->CheckSizes(grid);
+    this->CheckPolyhedra(grid);
   }
 
   void CheckGrid() const
@@ -167,14 +171,14 @@ private:
     }
   }
 
-  void CheckSizes(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types) const
+  void CheckSizes(vtkUnstructuredGrid* grid) const
   {
     const bool isVolume = IsVolume(grid); // its skin is taken, for which VTK reads all cells
     std::array<vtkIdType, 256> least;
     least.fill(-1);
     for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
     {
-      const int type = types->GetValue(cell);
+      const int type = grid->GetCellType(cell);
       if (least[type] < 0)
       {
         least[type] = LeastSize(type, isVolume);
@@ -243,11 +247,11 @@ private:
   }
 
   /// Polyhedra have lists of faces beside that of points.
-  void CheckPolyhedra(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types) const
+  void CheckPolyhedra(vtkUnstructuredGrid* grid) const
   {
     for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
     {
-      if (types->GetValue(cell) != VTK_POLYHEDRON)
+      if (grid->GetCellType(cell) != VTK_POLYHEDRON)
       {
         continue;
       }

@@ -106,9 +106,7 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
     {
       if (!isEmpty)
       {
-        PreparationOptions ofPiece = preparation;
-        ofPiece.IsPiece = true;
-        mesh = MeshFromDataSet(input, ofPiece, PartOfContext(context, 0.0, 0.4));
+        mesh = MeshFromDataSet(input, preparation, PartOfContext(context, 0.0, 0.4));
         piece.Positions = mesh->Mesh.VertexPositions();
         piece.Corners = mesh->Mesh.FaceCorners();
       }

@@ -166,24 +166,4 @@ SidesOfSurface FindSides(const TriangleMesh& mesh, bool isGlobe)
   return sides;
 }
 
-std::vector<char> FacesToTurn(const TriangleMesh& mesh)
-{
-  const std::vector<int> componentOf = FaceComponents(mesh);
-  const std::vector<Component> components = Measure(mesh, componentOf);
-  double volume = 0.0;
-  for (const Component& component : components)
-  {
-    volume += component.IsClosed ? component.Volume : 0.0;
-  }
-  std::vector<char> isTurned(components.size());
-  std::transform(components.begin(), components.end(), isTurned.begin(),
-    [volume](const Component& component) { return component.IsClosed ? volume < 0.0 : !component.Side(false).second; });
-  std::vector<char> ofFaces(mesh.NumberOfFaces());
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    ofFaces[face] = isTurned[componentOf[face]];
-  }
-  return ofFaces;
-}
-
 }

@@ -37,12 +37,6 @@ struct SidesOfSurface
 /// Cost: linear.
 SidesOfSurface FindSides(const TriangleMesh& mesh, bool isGlobe = false);
 
-/// For each face whether its component is to be turned for its corners to be counter-clockwise, seen from the positive side. Each open
-/// component is for itself. Closed ones are turned together, where their volumes sum to less than 0: those of solids with cavities have
-/// their outside where the solid ends, and stay as they are to each other.
-/// Cost: linear.
-std::vector<char> FacesToTurn(const TriangleMesh& mesh);
-
 /// Whether points have one z, up to rounding: their range in z is at most a millionth of their extent.
 bool HaveConstantZ(const Points& points);
 

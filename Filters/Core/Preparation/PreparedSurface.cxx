@@ -1,6 +1,5 @@
 #include "Preparation/PreparedSurface.h"
 
-#include "Mesh/PositiveSide.h"
 #include "Mesh/SpatialOrder.h"
 #include "Preparation/CoincidingPoints.h"
 #include "Preparation/SurfaceRepair.h"
@@ -222,26 +221,6 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
   return surface;
 }
 
-/// Turns all triangles of the components whose corners are clockwise, seen from the positive side.
-PreparedSurface SeenFromPositiveSide(PreparedSurface&& surface, const ExecutionContext& context)
-{
-  const std::vector<char> isTurned = FacesToTurn(surface.Mesh);
-  if (std::none_of(isTurned.begin(), isTurned.end(), [](char turned) { return turned != 0; }))
-  {
-    return std::move(surface);
-  }
-  Triangles corners = surface.Mesh.FaceCorners();
-  for (Eigen::Index face = 0; face < corners.rows(); ++face)
-  {
-    if (isTurned[face])
-    {
-      std::swap(corners(face, 1), corners(face, 2));
-    }
-  }
-  TriangleMesh turned(surface.Mesh.VertexPositions(), std::move(corners), surface.Relation.Names(), context);
-  return { std::move(turned), std::move(surface.Relation), std::move(surface.Report) };
-}
-
 }
 
 PreparedSurface PrepareSurface(
@@ -272,9 +251,8 @@ PreparedSurface PrepareSurface(
     }
   }
   given = CellTriangles(); // frees its memory before more is needed
-  PreparedSurface seen = options.IsPiece ? std::move(*surface) : SeenFromPositiveSide(std::move(*surface), context);
-  seen.Relation.SetEdges(seen.Mesh, context);
-  return seen;
+  surface->Relation.SetEdges(surface->Mesh, context);
+  return std::move(*surface);
 }
 
 }

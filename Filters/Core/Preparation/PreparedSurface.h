@@ -22,12 +22,10 @@ struct PreparationOptions
   dmg::Numbering Order = Numbering::Spatial;
   bool JoinPoints = true; ///< points that coincide are one
   bool Strict = false;    ///< what is not an oriented manifold surface is refused; no points are joined
-  bool IsPiece = false;   ///< of a larger surface, whose positive side only the whole has; it keeps that of its cells
 
   bool operator==(const PreparationOptions& other) const
   {
-    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict &&
-      this->IsPiece == other.IsPiece;
+    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict;
   }
 };
 
@@ -52,10 +50,6 @@ struct PreparedSurface
 /// - Triangles are turned until neighbours agree, in each component as most of them are. A surface with one side only is
 ///   cut along a short seam.
 /// - A point whose triangles form several fans becomes a vertex for each of them.
-///
-/// The corners of faces are counter-clockwise, seen from the positive side (FacesToTurn): triangles of components that are given the other
-/// way round are turned, which is no repair. So rotations, the order of directions, normal parts and
-/// curvatures have signs that do not depend on the order of a file's rows or cells.
 ///
 /// \throw InvalidInput a coordinate that is not finite, corners out of range, no triangle with an area, too many
 /// triangles; with Strict, as the constructor of TriangleMesh. Messages have the numbers of cells and points.

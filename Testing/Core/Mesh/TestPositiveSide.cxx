@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -122,22 +121,6 @@ TEST(PositiveSide, OfTubesAndDomesIsTheConvexOne)
     }
     EXPECT_GT(sign * outwards, 0.0);
   }
-}
-
-TEST(PositiveSide, KeepsTheCavityOfASolid)
-{
-  Surface cavity = Mirrored(Icosphere(1));
-  cavity.V *= 0.5;
-  const Surface shell = Union(Icosphere(2), cavity, Vector3::Zero());
-  const auto turned = [](const Surface& surface)
-  {
-    const std::vector<char> faces = FacesToTurn(surface.Mesh());
-    return std::count(faces.begin(), faces.end(), 1);
-  };
-  EXPECT_EQ(turned(shell), 0);
-  EXPECT_EQ(turned(Mirrored(shell)), shell.F.rows());
-  EXPECT_EQ(turned(Mirrored(Icosphere(2))), Icosphere(2).F.rows());
-  EXPECT_EQ(turned(Union(Icosphere(2), Mirrored(PlaneGrid(4, 4)), { 5.0, 0.0, 0.0 })), 32);
 }
 
 TEST(PositiveSide, BelongsToEachComponentByItself)
