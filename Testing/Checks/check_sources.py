@@ -67,6 +67,7 @@ ARROWS = {
               "Support"},
     "Singularities": {"Setup", "Discretisations/Constraints", "Analysis", "Operators", "Mesh", "Support"},
     "Flows": {"Setup", "Analysis", "Mesh", "Support"},
+    "Scales": {"Setup", "Discretisations", "Solvers/Multigrid", "Solvers/Krylov", "Solvers", "Operators", "Mesh", "Support"},
     "Geodesics": {"Constraints", "Solvers/Direct", "Operators", "Mesh", "Support"},
     "Quads/Crosses": {"Constraints", "Solvers/Direct", "Analysis", "Directions", "Mesh", "Support"},
     "Quads/Map": {"Quads/Crosses", "Solvers/Direct", "Mesh", "Support"},
