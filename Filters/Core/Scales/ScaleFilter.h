@@ -53,11 +53,11 @@ double AmplitudeBelow(double wavelength, double wave, int order);
 ///
 /// with the Laplacian L and the lumped mass M. A mode of wavenumber k keeps AmplitudeBelow of its length 2 pi / k.
 ///
-///   dmg::ScaleFilter filter(setups);
+///   dmg::ScaleFilter filter(surface);
 ///   const dmg::SplitScales eddies = filter.Split(height, 200.0);
 ///
-/// The set-up of the surface serves all wavelengths and all quantities of one kind; it is shared with all solvers of a SetupCache. Another
-/// wavelength costs coarse matrices or a factor, another quantity one solve by conjugate gradients.
+/// The set-up of the surface serves all wavelengths and all quantities of one kind. It is shared with all solvers of a SetupCache. Another
+/// wavelength costs coarse matrices or a factor. Another quantity costs one solve.
 class ScaleFilter
 {
 public:
@@ -73,8 +73,8 @@ public:
   ScaleFilter(ScaleFilter&&) noexcept;
 
   /// \param quantity one or two numbers per vertex.
-  /// \param wavelength > 0, in the unit of the points. One that the mesh does not resolve or that is longer than the surface is a warning in
-  ///   the report, with the amplitude of waves that are there.
+  /// \param wavelength > 0, in the unit of the points. The report warns of one that the mesh does not resolve, or that is longer than the
+  ///   surface, with the amplitude that such waves keep.
   /// \param stop The smaller part, as it seems from the quantity, is solved for to the tolerance, relative in the norm of its equations.
   /// \return not converged: the best that was reached; see Report().
   /// \throw InvalidInput numbers are missing or not finite; the wavelength is not positive and finite.
