@@ -1,0 +1,343 @@
+#include "Scales/ScaleFilter.h"
+
+#include "Discretisations/MakeDiscretisation.h"
+#include "Discretisations/VertexDiscretisation.h"
+#include "Mesh/SurfaceSizes.h"
+#include "Operators/FunctionSource.h"
+#include "Scales/SquaredStiffness.h"
+#include "Setup/SetupCache.h"
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
+#include "Support/ShortText.h"
+#include "Support/Stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+/// Beyond so many times the largest eigenvalue, nothing but rounding is above the wavelength.
+constexpr double LargestShift = 1e15;
+
+/// Shorter waves have an amplitude that is off by a twentieth or more (LengthOnMesh).
+constexpr double FewestCells = 4.0;
+
+FieldOptions OptionsOf(const ScaleFilterOptions& asked)
+{
+  FieldOptions options;
+  options.Field = DiscretisationOptions::OfFunctions();
+  if (asked.Quantity == ScaledQuantity::Vectors)
+  {
+    options.Field = {};
+    options.Field.N = 1;
+  }
+  options.Solver.Kind = MethodOf(asked.Solver.Kind).IsApproximation() ? SolverKind::Automatic : asked.Solver.Kind;
+  options.Solver.ExpectedSolves = asked.Solver.ExpectedSolves;
+  options.Solver.Sweeps = asked.Solver.Sweeps;
+  return options;
+}
+
+void CheckWavelength(double wavelength)
+{
+  if (!(wavelength > 0.0 && std::isfinite(wavelength)))
+  {
+    throw InvalidInput(
+      "the wavelength " + ShortText(wavelength) + " is not a positive number; give a length in the unit of the points");
+  }
+}
+
+/// A power of two near the largest magnitude, for cycles that compute in single precision.
+double UnitOf(const Vector<double>& numbers)
+{
+  const double largest = numbers.size() > 0 ? numbers.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+}
+
+/// The wave that a mesh of edges of length 1 has for a wave of so many edges: the length at which the second difference
+/// of the wave is that of the continuous one.
+double LengthOnMesh(double cells)
+{
+  return Pi / std::sin(Pi / std::max(2.0, cells));
+}
+
+}
+
+double AmplitudeBelow(double wavelength, double wave, int order)
+{
+  return 1.0 / (1.0 + 2.0 * std::pow(wavelength / wave, 2 * order));
+}
+
+class ScaleFilter::Internals
+{
+public:
+  Internals(SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context);
+
+  SplitScales Split(
+    const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  const std::unique_ptr<const Discretisation> Field;
+  const Vector<double> Areas; ///< by vertex
+  PlannedSetup Setup;
+  SolveReport Report;
+
+private:
+  void CheckQuantity(const Vector<double>& quantity) const;
+  /// Makes the mean of a function zero on each component.
+  void Centre(Vector<double>& quantity) const;
+  /// The system stage.
+  void TakeWavelength(double wavelength, const ExecutionContext& context);
+  void WarnOf(double wavelength);
+  /// 1 / (2 c^2) or, of order 2, 1 / (sqrt 2 c^2), in units of the mean area.
+  double ShiftOf(double wavelength) const;
+  /// The right-hand side of the part above or below. \param smoothed R f. \return scaled as the matrix is.
+  Vector<double> RightHandSide(
+    bool isAbove, const Vector<double>& f, const Vector<double>& smoothed, const ExecutionContext& context) const;
+  /// The part above or below of an ordered, centred quantity of magnitude 1, the smaller one of the two.
+  Vector<double> SolveForSmaller(
+    const Vector<double>& f, bool& isAbove, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  const int Order;
+  const SolverOptions Options;
+  const SurfaceSizes Sizes;
+  const double MeanArea;                        ///< of vertices
+  const std::vector<int> Components;            ///< by vertex; empty for vectors, which have no means
+  Vector<double> Mass;                          ///< by unknown in the order of the hierarchy, relative to the mean
+  double LargestEigenvalue = 0.0;               ///< of M^-1 R, about
+  std::unique_ptr<StiffnessOperator> Stiffness; ///< R
+  std::unique_ptr<StiffnessOperator> ShiftedStiffness; ///< R + s M
+  std::unique_ptr<SquaredStiffness> Squared;           ///< R M^-1 R + s^2 M
+  std::unique_ptr<StiffnessCycle> Inverse;             ///< of R + s M
+  double Wavelength = 0.0;                             ///< that the equations have; 0: none
+  double Shift = 0.0;                                  ///< s
+  std::vector<std::string> Warnings;                   ///< of the wavelength
+};
+
+ScaleFilter::Internals::Internals(
+  SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
+  : Field(MakeDiscretisation(OptionsOf(options).Field, setups.Surface))
+  , Areas(this->Field->AtVertices()->AreasOfVertices(context))
+  , Order(options.Order)
+  , Options(OptionsOf(options).Solver)
+  , Sizes(SizesOf(setups.Surface.Mesh))
+  , MeanArea(this->Areas.mean())
+  , Components(
+      options.Quantity == ScaledQuantity::Function ? VertexComponents(setups.Surface.Mesh) : std::vector<int>())
+{
+  if (this->Order != 1 && this->Order != 2)
+  {
+    throw InvalidInput(
+      "the order " + std::to_string(this->Order) + " of the scale filter is neither 1 nor 2; give one of them");
+  }
+  this->Setup = setups.Take(*this->Field, OptionsOf(options), nullptr, context);
+  const StiffnessHierarchy& hierarchy = *this->Setup.Levels->Hierarchy;
+  const int size = hierarchy.NumberOfUnknowns();
+  this->Mass.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    this->Mass[i] = this->Areas[hierarchy.Order[i] / this->Field->UnknownsPerElement()] / this->MeanArea;
+    this->LargestEigenvalue = std::max(this->LargestEigenvalue, hierarchy.DiagonalOf(i) / this->Mass[i]);
+  }
+  this->Stiffness = hierarchy.Operator();
+  this->Stiffness->SetDiagonal(Vector<double>::Zero(size), context);
+  this->ShiftedStiffness = hierarchy.Operator();
+  this->Squared = std::make_unique<SquaredStiffness>(*this->Stiffness, this->Mass);
+}
+
+void ScaleFilter::Internals::CheckQuantity(const Vector<double>& quantity) const
+{
+  if (quantity.size() != this->Field->NumberOfUnknowns())
+  {
+    throw InvalidInput("the quantity to be filtered has " + std::to_string(quantity.size()) + " numbers in place of " +
+      std::to_string(this->Field->NumberOfUnknowns()) + "; give " + std::to_string(this->Field->UnknownsPerElement()) +
+      " for each vertex");
+  }
+  for (Eigen::Index i = 0; i < quantity.size(); ++i)
+  {
+    if (!std::isfinite(quantity[i]))
+    {
+      throw InvalidInput("the quantity to be filtered is not finite at vertex " +
+        std::to_string(i / this->Field->UnknownsPerElement()) + "; repair it");
+    }
+  }
+}
+
+void ScaleFilter::Internals::Centre(Vector<double>& quantity) const
+{
+  if (!this->Components.empty())
+  {
+    FreeComponents(this->Components, {}).Centre(quantity, this->Areas);
+  }
+}
+
+double ScaleFilter::Internals::ShiftOf(double wavelength) const
+{
+  const double c = wavelength / (2.0 * Pi);
+  return this->MeanArea / ((this->Order == 1 ? 2.0 : std::sqrt(2.0)) * c * c);
+}
+
+void ScaleFilter::Internals::WarnOf(double wavelength)
+{
+  this->Warnings.clear();
+  const double cells = wavelength / this->Sizes.MeanEdge;
+  const double longest = 2.0 * std::sqrt(this->Sizes.Area);
+  if (cells < FewestCells)
+  {
+    const double kept = AmplitudeBelow(cells, LengthOnMesh(cells), this->Order);
+    this->Warnings.push_back("The wavelength " + ShortText(wavelength) + " is " + ShortText(cells) +
+      " mean edges, fewer than 4, and is not resolved: " +
+      (cells < 2.0 ? "the shortest waves there are, of two edges," : "such waves") + " keep about " + ShortText(kept) +
+      " of their amplitude in place of " + (cells < 2.0 ? "a smaller share." : "a third."));
+  }
+  else if (wavelength > longest)
+  {
+    this->Warnings.push_back("The wavelength " + ShortText(wavelength) +
+      " is longer than the surface: its longest waves, of about " + ShortText(longest) + ", keep " +
+      ShortText(AmplitudeBelow(wavelength, longest, this->Order)) + " of their amplitude.");
+  }
+}
+
+/// The preconditioner takes no wavelength beyond the size of the surface. Its matrix would be nearly singular, and the functions that
+/// matter have a mean of zero, so that their eigenvalues do not fall further.
+void ScaleFilter::Internals::TakeWavelength(double wavelength, const ExecutionContext& context)
+{
+  if (wavelength == this->Wavelength)
+  {
+    return;
+  }
+  const Stopwatch watch;
+  this->Wavelength = 0.0;
+  this->Shift = std::min(this->ShiftOf(wavelength), LargestShift * this->LargestEigenvalue);
+  const double shiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal()));
+  this->ShiftedStiffness->SetDiagonal(this->Shift * this->Mass, context);
+  this->Squared->SetShift(this->Shift);
+  const Vector<double> D = shiftOfInverse * this->Mass;
+  std::unique_ptr<StiffnessCycle> inverse = std::move(this->Inverse); // which an error makes unusable
+  if (inverse)
+  {
+    inverse->Update(D, context);
+  }
+  else
+  {
+    inverse = this->Setup.Choice.Method->MakePreconditioner(*this->Setup.Levels, D, this->Options, context);
+  }
+  this->Inverse = std::move(inverse);
+  this->WarnOf(wavelength);
+  this->Report = {};
+  this->Report.Solver = this->Setup.Choice.Method->Name +
+    (this->Setup.Choice.Method->NeedsLevels ? " on " + this->Setup.Levels->Name : "") + this->Setup.Choice.Reason;
+  this->Report.Levels = this->Inverse->Levels();
+  this->Report.Bytes = this->Setup.Levels->Bytes() + this->Inverse->Bytes();
+  this->Report.PrepareSeconds = watch.Seconds();
+  this->Wavelength = wavelength;
+}
+
+Vector<double> ScaleFilter::Internals::RightHandSide(
+  bool isAbove, const Vector<double>& f, const Vector<double>& smoothed, const ExecutionContext& context) const
+{
+  if (!isAbove)
+  {
+    return std::pow(this->Shift, this->Order) * this->Mass.cwiseProduct(f);
+  }
+  if (this->Order == 1)
+  {
+    return smoothed;
+  }
+  Vector<double> twice;
+  this->Squared->ApplySquare(f, twice, context);
+  return twice;
+}
+
+Vector<double> ScaleFilter::Internals::SolveForSmaller(
+  const Vector<double>& f, bool& isAbove, const StoppingCriteria& asked, const ExecutionContext& context)
+{
+  Vector<double> Rf;
+  const double energy = this->Stiffness->Apply(f, Rf, context);
+  isAbove = energy < this->Shift * f.dot(this->Mass.cwiseProduct(f));
+  const Vector<double> b = this->RightHandSide(isAbove, f, Rf, context);
+  StoppingCriteria stop = asked;
+  stop.MayEstimate = !this->Setup.Choice.Method->IsDirect;
+  this->Report.Warnings = this->Warnings;
+  Vector<double> x;
+  SquaredInverse twice(*this->Inverse, this->Mass);
+  const bool isSquared = this->Order == 2;
+  const LinearOperator<double>& matrix =
+    isSquared ? static_cast<const LinearOperator<double>&>(*this->Squared) : *this->ShiftedStiffness;
+  Preconditioner<double>& inverse = isSquared ? static_cast<Preconditioner<double>&>(twice) : *this->Inverse;
+  this->Setup.Choice.Method->Iterate(matrix, inverse, b, stop, x, this->Report, context, nullptr);
+  return x;
+}
+
+SplitScales ScaleFilter::Internals::Split(
+  const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  CheckWavelength(wavelength);
+  this->CheckQuantity(quantity);
+  this->TakeWavelength(wavelength, PartOfContext(context, 0.0, 0.4));
+  const std::vector<int>& order = this->Setup.Levels->Hierarchy->Order;
+  const double unit = UnitOf(quantity);
+  Vector<double> varying = quantity / unit;
+  this->Centre(varying);
+  bool isAbove = false;
+  Vector<double> part =
+    Scattered(this->SolveForSmaller(Gathered(varying, order, context), isAbove, stop, PartOfContext(context, 0.4, 1.0)),
+      order, context);
+  this->Centre(part);
+  if (!part.allFinite())
+  {
+    throw UnexpectedFailure("the filtered quantity is not finite");
+  }
+  SplitScales split;
+  if (isAbove)
+  {
+    split.Above = unit * part;
+    split.Below = quantity - split.Above;
+  }
+  else
+  {
+    split.Below = quantity - unit * (varying - part);
+    split.Above = quantity - split.Below;
+  }
+  return split;
+}
+
+ScaleFilter::ScaleFilter(const FramedMesh& surface, const ScaleFilterOptions& options, const ExecutionContext& context)
+  : ScaleFilter(*std::make_unique<SetupCache>(surface), options, context)
+{
+}
+
+ScaleFilter::ScaleFilter(SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
+  : Internal(std::make_unique<Internals>(setups, options, context))
+{
+}
+
+ScaleFilter::~ScaleFilter() = default;
+
+ScaleFilter::ScaleFilter(ScaleFilter&&) noexcept = default;
+
+SplitScales ScaleFilter::Split(
+  const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  return this->Internal->Split(quantity, wavelength, stop, context);
+}
+
+const Vector<double>& ScaleFilter::Areas() const
+{
+  return this->Internal->Areas;
+}
+
+const SolveReport& ScaleFilter::Report() const
+{
+  return this->Internal->Report;
+}
+
+bool ScaleFilter::HasNewSetup() const
+{
+  return this->Internal->Setup.IsNew;
+}
+
+}
