@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_BEZIER_HEXAHEDRON, VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TETRAHEDRON, VTK_BEZIER_TRIANGLE, VTK_BEZIER_WEDGE, VTK_BIQUADRATIC_QUAD,
     VTK_BIQUADRATIC_TRIANGLE, VTK_HEXAGONAL_PRISM, VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON, VTK_LAGRANGE_QUADRILATERAL,
@@ -22,7 +22,7 @@ from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldQuads, vtkFieldSingularities,
     vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
 from any_surfaces import grid_of_types, points_of, polygons
-from surfaces import add, torus
+from surfaces import add, torus, values
 
 FILTERS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities,
            vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
@@ -391,6 +391,35 @@ class ExtremeProperties(unittest.TestCase):
                 gradient(scale)
         with self.assertRaisesRegex(FieldError, "Length Scale is 1e\\+300; choose a value from 1e-30 to 1e\\+30"):
             gradient(1, 1e300)
+
+
+class CellsOfTooFewPoints(unittest.TestCase):
+    """VTK does not number the cells of polygonal data where one has too few points for its list; the other cells count all the same."""
+
+    def test_a_guide_of_such_cells_is_followed_by_its_line(self):
+        line = guide_of(("Lines", (0, 1)))
+        expected = values(smooth_field(torus(12, 8), guides=line).GetCellData(), "Direction0")
+        for short in ((), (0,), (0, 1)):
+            for kind in ("Verts", "Lines", "Polys", "Strips"):
+                if short and kind == "Verts" or len(short) == 2 and kind == "Lines":
+                    continue
+                with self.subTest(kind, size=len(short)):
+                    field = smooth_field(torus(12, 8), guides=guide_of(("Lines", (0, 1)), (kind, short)))
+                    np.testing.assert_array_equal(values(field.GetCellData(), "Direction0"), expected)
+
+
+def guide_of(*cells):
+    """Polygonal data on two points of the torus, with cells by list."""
+    guide = vtkPolyData()
+    guide.SetPoints(vtkPoints())
+    guide.GetPoints().InsertNextPoint(1.4, 0, 0)
+    guide.GetPoints().InsertNextPoint(1.3, 0.4, 0.1)
+    lists = {}
+    for kind, points in cells:
+        lists.setdefault(kind, vtkCellArray()).InsertNextCell(len(points), list(points))
+    for kind, array in lists.items():
+        getattr(guide, f"Set{kind}")(array)
+    return guide
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 #include "Adapters/Data/WithoutStrips.h"
 
+#include "Adapters/Data/VisitCells.h"
+
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -18,20 +19,6 @@ namespace dmg
 namespace
 {
 
-/// Calls visit(size, points) for each cell.
-template <class Visit>
-void ForCells(vtkCellArray* cells, const Visit& visit)
-{
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* points;
-    iterator->GetCurrentCell(size, points);
-    visit(size, points);
-  }
-}
-
 /// Copies polygons, and makes triangles of strips. \return the cell that each cell of the new dataset comes from, ascending.
 vtkSmartPointer<vtkIdList> TrianglesOfStrips(vtkPolyData* surface, vtkCellArray* polygons)
 {
@@ -42,14 +29,14 @@ vtkSmartPointer<vtkIdList> TrianglesOfStrips(vtkPolyData* surface, vtkCellArray*
   {
     origins->InsertNextId(cell);
   }
-  ForCells(surface->GetPolys(),
-    [&](vtkIdType size, const vtkIdType* points)
+  VisitCells(surface->GetPolys(),
+    [&](vtkIdType, vtkIdType size, const vtkIdType* points)
     {
       polygons->InsertNextCell(size, points);
       origins->InsertNextId(cell++);
     });
-  ForCells(surface->GetStrips(),
-    [&](vtkIdType size, const vtkIdType* points)
+  VisitCells(surface->GetStrips(),
+    [&](vtkIdType, vtkIdType size, const vtkIdType* points)
     {
       for (vtkIdType k = 0; k + 2 < size; ++k)
       {

@@ -1,6 +1,7 @@
 #include "Adapters/Input/GuideDataSets.h"
 
 #include "Adapters/Data/CellChecks.h"
+#include "Adapters/Data/NumberedCells.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -75,7 +76,7 @@ std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, 
     if (dataset && dataset->GetNumberOfPoints() > 0)
     {
       CheckCells(dataset, name);
-      datasets.push_back({ dataset, guide, name });
+      datasets.push_back({ WithNumberedCells(dataset), guide, name });
     }
     return dataset != nullptr;
   };

@@ -3,6 +3,8 @@
 
 #include "Adapters/View/ChosenArrays.h"
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace dmg
 /// A dataset of a guide, which may be composite.
 struct GuideDataSet
 {
-  vtkDataSet* Data;
+  vtkSmartPointer<vtkDataSet> Data; ///< with numbered cells
   std::size_t Guide; ///< number of its connection
   std::string Name;  ///< for messages, as in "block 2 of guide 0"
 };

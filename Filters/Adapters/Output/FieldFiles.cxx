@@ -1,6 +1,7 @@
 #include "Adapters/Output/FieldFiles.h"
 
 #include "Adapters/Data/CellChecks.h"
+#include "Adapters/Data/NumberedCells.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/PointChecks.h"
@@ -14,6 +15,7 @@
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -71,11 +73,12 @@ void CheckCorners(vtkDataSet* surface, const std::vector<Face>& faces)
 std::vector<Face> FacesOf(vtkDataSet* surface)
 {
   CheckCells(surface, "the surface");
+  const vtkSmartPointer<vtkDataSet> numbered = WithNumberedCells(surface);
   std::vector<Face> faces;
   vtkNew<vtkGenericCell> cell;
-  for (vtkIdType number = 0; number < surface->GetNumberOfCells(); ++number)
+  for (vtkIdType number = 0; number < numbered->GetNumberOfCells(); ++number)
   {
-    surface->GetCell(number, cell);
+    numbered->GetCell(number, cell);
     if (cell->GetCellDimension() == 2)
     {
       if (cell->GetNumberOfPoints() < 3)

@@ -1,9 +1,8 @@
 #include "Adapters/Surface/MeshFromDataSet.h"
 
+#include "Adapters/Data/VisitCells.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -65,21 +64,6 @@ void VisitPoints(vtkPoints* points, Visitor&& visit)
   }
 }
 
-/// Calls visit(index, size, points) for every polygon.
-template <class Visitor>
-void VisitPolygons(vtkPolyData* surface, Visitor&& visit)
-{
-  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  vtkIdType index = 0;
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* points;
-    iterator->GetCurrentCell(size, points);
-    visit(index++, size, points);
-  }
-}
-
 /// A word-wise multiplicative hash; two of them with different multipliers run side by side.
 class Hash
 {
@@ -126,7 +110,7 @@ void AddTo(Hash& hash, vtkPolyData* surface)
       hash.Add(y);
       hash.Add(z);
     });
-  VisitPolygons(surface,
+  VisitCells(surface->GetPolys(),
     [&hash](vtkIdType, vtkIdType size, const vtkIdType* points)
     {
       hash.Add(size);

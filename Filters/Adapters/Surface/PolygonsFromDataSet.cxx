@@ -1,11 +1,10 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 
 #include "Adapters/Data/CellChecks.h"
+#include "Adapters/Data/VisitCells.h"
 #include "Support/Errors.h"
 
 #include "vtkCell.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -124,36 +123,19 @@ private:
   vtkUnsignedCharArray* const OfPoints;
 };
 
-/// Calls visit(index, size, points) for every polygon, until it returns false.
-template <class Visitor>
-void VisitPolygons(vtkPolyData* surface, Visitor&& visit)
-{
-  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  vtkIdType index = 0;
-  bool goesOn = true;
-  for (iterator->GoToFirstCell(); goesOn && !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* points;
-    iterator->GetCurrentCell(size, points);
-    goesOn = visit(index++, size, points);
-  }
-}
-
 /// \return whether all polygons are triangles.
 bool ReadTriangles(vtkPolyData* surface, Triangles& corners)
 {
   corners.resize(surface->GetNumberOfPolys(), 3);
   bool areTriangles = true;
-  VisitPolygons(surface,
+  VisitCells(surface->GetPolys(),
     [&](vtkIdType polygon, vtkIdType size, const vtkIdType* points)
     {
-      areTriangles = size == 3;
+      areTriangles = areTriangles && size == 3;
       if (areTriangles)
       {
         std::copy_n(points, 3, corners.data() + 3 * polygon);
       }
-      return areTriangles;
     });
   return areTriangles;
 }
@@ -186,12 +168,9 @@ SurfaceCells ReadPolyData(vtkPolyData* surface)
   polygons.FirstCell = static_cast<int>(firstCell);
   polygons.IsDuplicate = std::move(duplicates);
   polygons.Offsets.reserve(numberOfPolygons + 1);
-  VisitPolygons(surface,
+  VisitCells(surface->GetPolys(),
     [&](vtkIdType polygon, vtkIdType size, const vtkIdType* points)
-    {
-      Add(polygons, ghosts.IsHidden(firstCell + polygon, size, points) ? 0 : size, points);
-      return true;
-    });
+    { Add(polygons, ghosts.IsHidden(firstCell + polygon, size, points) ? 0 : size, points); });
   polygons.Positions = ReadPoints(surface);
   return polygons;
 }
