@@ -227,6 +227,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   const int resolution = std::clamp(static_cast<int>(std::sqrt(0.5 * perSphere)), 4, 24);
   vtkNew<vtkSphereSource> sphere; // of 2 * resolution * (resolution - 2) triangles
   sphere->SetRadius(radius);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // floats end at 3e38, coordinates at 1e40
   sphere->SetThetaResolution(resolution);
   sphere->SetPhiResolution(resolution);
   vtkNew<vtkGlyph3D> glyphs;
