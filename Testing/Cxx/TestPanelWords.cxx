@@ -23,7 +23,8 @@ TEST(PanelWords, ReplaceEachRemedyOfTheCore)
 TEST(PanelWords, CutLongNames)
 {
   const std::string hundred(100, 'n');
-  EXPECT_EQ(InPanelWords("the array '" + hundred + "n' is not 'there'"), "the array '" + hundred + "...' is not 'there'");
+  EXPECT_EQ(
+    InPanelWords("the array '" + hundred + "n' is not 'there'"), "the array '" + hundred + "...' is not 'there'");
   EXPECT_EQ(InPanelWords("the array '" + hundred + "' is not there"), "the array '" + hundred + "' is not there");
   EXPECT_EQ(InPanelWords("the cells' points, " + hundred + hundred), "the cells' points, " + hundred + hundred);
 }
