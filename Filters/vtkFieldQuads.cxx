@@ -8,6 +8,7 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
+#include "SurfaceQuads.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -15,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkFieldQuads);
@@ -39,6 +41,16 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceVi
     sizes[face] = sum / 3.0;
   }
   return sizes;
+}
+
+/// Quads along the crosses of a surface; along its features, where it has none.
+dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg::Vector<dmg::Complex>>& crosses,
+  const dmg::QuadOptions& options, const dmg::ExecutionContext& context)
+{
+  const dmg::ElementNames names = view.Relation().Names();
+  return crosses
+    ? dmg::MakeQuads(view.Surface().Geometry, *crosses, options, context, names)
+    : dmg::MakeQuadsAlongFeatures({ view.Prepared(), &view.Prepared()->Geometry }, options, context, names);
 }
 
 std::string SentenceOf(const dmg::QuadReport& report, std::size_t quads)
@@ -101,11 +113,10 @@ int vtkFieldQuads::RequestData(
     options.FeatureAngle = this->FeatureAngle;
     options.SmoothingSteps = this->SmoothingSteps;
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
-    const dmg::Vector<dmg::Complex> crosses =
-      dmg::CrossesOf(this, view, this->NumberOfDirections, options, dmg::PartOfContext(context, 0.0, 0.3));
+    const std::optional<dmg::Vector<dmg::Complex>> crosses =
+      dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
-    const dmg::QuadMesh quads = dmg::MakeQuads(
-      view.Surface().Geometry, crosses, options, dmg::PartOfContext(context, 0.3, 1.0), view.Relation().Names());
+    const dmg::QuadMesh quads = MakeQuadsOf(view, crosses, options, dmg::PartOfContext(context, 0.1, 1.0));
     dmg::MapToPolyData(quads, view, output(1));
     if (!quads.Report.Error.empty())
     {

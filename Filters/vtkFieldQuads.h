@@ -35,7 +35,8 @@
  * of the map, InvertedQuads, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
  * components that no other quads fit.
  *
- * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts.
+ * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges
+ * longer than those of quads are halved, as a map has no room to bend within large triangles.
  * A texture that repeats shows the grid.
  *
  * Port 2, the irregular vertices: vtkPolyData, a ball for each vertex inside of the mesh that has not four quads, with the arrays

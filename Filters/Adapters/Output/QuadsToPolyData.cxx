@@ -69,6 +69,17 @@ void LeaveOut(Attributes* attributes)
   attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
 }
 
+/// Interpolates the arrays of points at a place of the surface.
+void InterpolateAt(const SurfaceView& view, SurfacePlace place, vtkPointData* from, vtkIdType point, vtkPointData* to)
+{
+  vtkNew<vtkIdList> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners->InsertNextId(view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
+  }
+  to->InterpolatePoint(from, point, corners, place.Weights.data());
+}
+
 void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
   const vtkIdType size = quads.Positions.rows();
@@ -78,19 +89,16 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
   to->InterpolateAllocate(from, size);
   AllowAnyNumber(to);
   const auto normals = NewArray("Normals", 3, size);
-  vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    SurfacePlace place = quads.Places[vertex];
+    const SurfacePlace& place = quads.Places[vertex];
     Vector3 normal = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
       const int corner = view.Mesh().Tail(3 * place.Face + k);
-      corners->SetId(k, view.Relation().PointOf(corner));
       normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
     }
-    to->InterpolatePoint(from, vertex, corners, place.Weights.data());
+    InterpolateAt(view, place, from, vertex, to);
     normals->SetTuple(vertex,
       (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
   }
@@ -158,7 +166,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
 
 void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = view.Mesh();
+  const TriangleMesh& mesh = quads.Finer ? quads.Finer->Geometry.Mesh : view.Mesh();
   std::map<std::tuple<int, FixedPoint, FixedPoint>, vtkIdType> numbers; // of corners with the same coordinates
   std::vector<int> halfedges;                                           // one for each of these
   vtkNew<vtkCellArray> cells;
@@ -182,7 +190,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
       corners[k] = number->second;
     }
     cells->InsertNextCell({ corners[0], corners[1], corners[2] });
-    ofCells->CopyData(givenToCells, view.Relation().CellOf(face), face);
+    ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Finer ? quads.Finer->Parents[face] : face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto points = NewPoints(size);
@@ -190,13 +198,14 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   vtkPointData* const ofPoints = output->GetPointData();
   const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
   LeaveOut(ofPoints);
-  ofPoints->CopyAllocate(givenToPoints, size);
+  ofPoints->InterpolateAllocate(givenToPoints, size);
   AllowAnyNumber(ofPoints);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
+    const SurfacePlace place = quads.Finer ? quads.Finer->InParent(AtTail(h)) : AtTail(h);
     points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    ofPoints->CopyData(givenToPoints, view.Relation().PointOf(mesh.Tail(h)), point);
+    InterpolateAt(view, place, givenToPoints, point, ofPoints);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));

@@ -2,6 +2,7 @@
 #define dmgQuadMesh_h
 
 #include "Mesh/FramedMesh.h"
+#include "Quads/Crosses/FinerSurface.h"
 #include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
 #include "Quads/QuadOptions.h"
@@ -9,6 +10,7 @@
 #include "Support/Types.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,11 +51,20 @@ struct QuadMesh
   std::vector<int> Singularities; ///< by vertex, the number of singular vertices of the surface that it stands for
   Vector<double> ScaledJacobians; ///< by quad, see QuadSmoothing.h
 
-  MapOfCorners Map;        ///< seamless; integers are the vertices' coordinates
-  std::vector<char> IsCut; ///< by edge of the surface: whether the map jumps there
+  /// The surface with its long edges halved, which the map is of; null where there are none.
+  std::shared_ptr<const FinerSurface> Finer;
+  MapOfCorners Map;        ///< seamless, by corner of Finer; integers are the vertices' coordinates
+  std::vector<char> IsCut; ///< by edge of Finer: whether the map jumps there
 
   QuadReport Report;
 };
+
+/// The surface that quads are made of: a map has no room to bend within triangles that are larger than quads, so edges that are longer than
+/// those of quads are halved first. MakeQuads does so; call it for a field that is to be found there.
+/// \return null where the surface serves as it is. There are at most 25 triangles for each quad, or half as many more than before.
+/// \throw InvalidInput an option is out of range; there would be more than ten million quads.
+std::shared_ptr<const FinerSurface> SurfaceForQuads(const FramedMesh& surface, const QuadOptions& options,
+  const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
 /// Makes a pure quad mesh whose edges follow a cross field. See Quads.md for the method.
 ///
@@ -71,6 +82,12 @@ struct QuadMesh
 /// singularity, handle and hole, and the cube of their number.
 QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options = {},
   const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+
+/// The same with a field on the surface that SurfaceForQuads has made.
+/// \param finer null: the field is one of the surface, whose long edges stay.
+/// \param powers by face of \p finer.
+QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer, const Vector<Complex>& powers,
+  const QuadOptions& options = {}, const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
 }
 
