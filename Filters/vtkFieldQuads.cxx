@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/CrossesOfSurface.h"
 #include "Adapters/Output/QuadsToPolyData.h"
+#include "Adapters/Output/WarningsOfQuads.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
@@ -53,35 +54,6 @@ dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg:
     : dmg::MakeQuadsAlongFeatures({ view.Prepared(), &view.Prepared()->Geometry }, options, context, names);
 }
 
-std::string SentenceOf(const dmg::QuadReport& report, std::size_t quads)
-{
-  std::string sentence;
-  if (!report.RefinedFaces.empty())
-  {
-    sentence += "edges are shorter on " + std::to_string(report.RefinedFaces.size()) +
-      " triangles, where a handle, a hole or a component would be lost, which makes " + std::to_string(quads) +
-      " quads. ";
-  }
-  if (report.SplitFaces > 0)
-  {
-    sentence += std::to_string(report.SplitFaces) +
-      " triangles, of components with few of them, were split into quads that follow no field. ";
-  }
-  if (report.LeftOut > 0)
-  {
-    sentence += std::to_string(report.LeftOut) + " pairs of triangles back to back are left out. ";
-  }
-  if (report.CutOff > 0)
-  {
-    sentence += "thin parts at the boundary may be lost at " + std::to_string(report.CutOff / 2) + " places. ";
-  }
-  if (report.InvertedQuads > 0)
-  {
-    sentence += std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian. ";
-  }
-  return sentence.empty() ? sentence : sentence.substr(0, sentence.size() - 1);
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +97,7 @@ int vtkFieldQuads::RequestData(
     }
     dmg::QuadsToPolyData(quads, view, output(0));
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
-    dmg::Warn(this, { SentenceOf(quads.Report, quads.Quads.size()) });
+    dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

@@ -19,6 +19,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <tuple>
@@ -113,6 +114,12 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
     array->SetValue(0, value);
     AddHidden(fieldData, array);
   };
+  const auto addNumbers = [fieldData](const char* name, const std::vector<double>& values)
+  {
+    const auto array = NewArray(name, 1, static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    AddHidden(fieldData, array);
+  };
   add("Singularities", report.Singularities);
   add("IrregularVertices", report.IrregularVertices);
   add("IrregularWithoutSingularity", report.IrregularWithoutSingularity);
@@ -122,6 +129,13 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));
   add("SplitTriangles", report.SplitFaces);
+  const QuadDistances& distances = report.Distances;
+  addNumbers("DistanceFromQuads", { distances.LargestFromQuads, distances.MeanFromQuads });
+  addNumbers("DistanceFromSurface", { distances.LargestFromSurface, distances.MeanFromSurface });
+  const Vector3& place = distances.FarthestPlace;
+  addNumbers("FarthestPlace", { place[0], place[1], place[2] });
+  addNumbers("AreaShares", report.AreaShares);
+  addNumbers("RatioOfSizes", { report.AskedRatio, report.ReachedRatio });
 }
 
 /// Valence less 4; 0 on the boundary.

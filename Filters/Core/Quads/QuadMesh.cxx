@@ -87,7 +87,11 @@ void TakeToParents(const FinerSurface& finer, QuadMesh& mesh)
   }
   const auto toParent = [&finer](int& face) { face = finer.Parents[face]; };
   std::for_each(mesh.Faces.begin(), mesh.Faces.end(), toParent);
-  std::vector<int>& refined = mesh.Report.RefinedFaces;
+  QuadReport& report = mesh.Report;
+  report.LeastCovered = report.LeastCovered >= 0 ? finer.Parents[report.LeastCovered] : -1;
+  int& farthest = report.Distances.FarthestVertex;
+  farthest = farthest >= 0 ? finer.NearVertices[farthest] : -1;
+  std::vector<int>& refined = report.RefinedFaces;
   std::for_each(refined.begin(), refined.end(), toParent);
   std::sort(refined.begin(), refined.end());
   refined.erase(std::unique(refined.begin(), refined.end()), refined.end());
@@ -130,6 +134,15 @@ QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface
   const QuadOptions others = OptionsOf(options, *finer);
   QuadMesh mesh = MakeQuadsOfShortEdges(
     finer->Geometry, powers, CheckedLengths(finer->Geometry.Mesh, others), others, context, namesOfFiner);
+  if (!mesh.Report.Error.empty()) // components of few triangles may be split triangle by triangle, if they are few
+  {
+    QuadMesh other = MakeQuadsOfShortEdges(
+      surface, finer->PowersOfParents(surface, powers), CheckedLengths(surface.Mesh, options), options, context, names);
+    if (other.Report.Error.empty())
+    {
+      return other;
+    }
+  }
   TakeToParents(*finer, mesh);
   mesh.Finer = std::move(finer);
   return mesh;

@@ -202,6 +202,13 @@ private:
   std::unordered_map<std::uint64_t, int> Middles; ///< of long edges, -1 before there is one
 };
 
+/// The fourth power of a direction on a face, in the frame of another one in the same plane.
+Complex Carried(Complex power, const FramedMesh& from, int face, const FramedMesh& to, int other)
+{
+  const Vector3 direction = from.Faces.ToVector(face, std::polar(1.0, 0.25 * std::arg(power)));
+  return std::polar(std::abs(power), 4.0 * std::arg(to.Faces.ToComplex(other, direction)));
+}
+
 }
 
 SurfacePlace FinerSurface::InParent(const SurfacePlace& place) const
@@ -214,11 +221,19 @@ Vector<Complex> FinerSurface::PowersOf(const FramedMesh& surface, const Vector<C
   Vector<Complex> finer(this->Geometry.Mesh.NumberOfFaces());
   for (int face = 0; face < finer.size(); ++face)
   {
-    const Complex power = powers[this->Parents[face]];
-    const Vector3 direction = surface.Faces.ToVector(this->Parents[face], std::polar(1.0, 0.25 * std::arg(power)));
-    finer[face] = std::polar(std::abs(power), 4.0 * std::arg(this->Geometry.Faces.ToComplex(face, direction)));
+    finer[face] = Carried(powers[this->Parents[face]], surface, this->Parents[face], this->Geometry, face);
   }
   return finer;
+}
+
+Vector<Complex> FinerSurface::PowersOfParents(const FramedMesh& surface, const Vector<Complex>& powers) const
+{
+  Vector<Complex> ofParents(surface.Mesh.NumberOfFaces());
+  for (int face = static_cast<int>(this->Parents.size()) - 1; face >= 0; --face)
+  {
+    ofParents[this->Parents[face]] = Carried(powers[face], this->Geometry, face, surface, this->Parents[face]);
+  }
+  return ofParents;
 }
 
 ElementNames FinerSurface::NamesOf(const ElementNames& names) const

@@ -29,6 +29,8 @@ struct FinerSurface
   /// The field that has on each face the direction of its parent.
   /// \param surface that this one was made from. \param powers fourth powers of the directions of its faces, in their frames.
   Vector<Complex> PowersOf(const FramedMesh& surface, const Vector<Complex>& powers) const;
+  /// The field that has on each parent the direction of its first part.
+  Vector<Complex> PowersOfParents(const FramedMesh& surface, const Vector<Complex>& powers) const;
   /// The names of the elements that these are parts of, or near to.
   ElementNames NamesOf(const ElementNames& names) const;
 };
