@@ -17,6 +17,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -49,6 +51,17 @@ void LeaveOut(Attributes* attributes)
   attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
 }
 
+/// Interpolates the arrays of points at a place of the surface.
+void InterpolateAt(const SurfaceView& view, SurfacePlace place, vtkPointData* from, vtkIdType point, vtkPointData* to)
+{
+  vtkNew<vtkIdList> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners->InsertNextId(view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
+  }
+  to->InterpolatePoint(from, point, corners, place.Weights.data());
+}
+
 void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
   const vtkIdType size = quads.Positions.rows();
@@ -58,19 +71,16 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
   to->InterpolateAllocate(from, size);
   AllowAnyNumber(to);
   const auto normals = NewArray("Normals", 3, size);
-  vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    SurfacePlace place = quads.Places[vertex];
+    const SurfacePlace& place = quads.Places[vertex];
     Vector3 normal = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
       const int corner = view.Mesh().Tail(3 * place.Face + k);
-      corners->SetId(k, view.Relation().PointOf(corner));
       normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
     }
-    to->InterpolatePoint(from, vertex, corners, place.Weights.data());
+    InterpolateAt(view, place, from, vertex, to);
     normals->SetTuple(vertex,
       (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
   }
@@ -81,6 +91,12 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
 {
   const auto add = [fieldData](const char* name, int value)
   { AddHidden(fieldData, NewValue<vtkIntArray>(name, value)); };
+  const auto addNumbers = [fieldData](const char* name, const std::vector<double>& values)
+  {
+    const auto array = NewArray(name, 1, static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    AddHidden(fieldData, array);
+  };
   add("Singularities", report.Singularities);
   add("IrregularVertices", report.IrregularVertices);
   add("IrregularWithoutSingularity", report.IrregularWithoutSingularity);
@@ -90,6 +106,13 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));
   add("SplitTriangles", report.SplitFaces);
+  const QuadDistances& distances = report.Distances;
+  addNumbers("DistanceFromQuads", { distances.LargestFromQuads, distances.MeanFromQuads });
+  addNumbers("DistanceFromSurface", { distances.LargestFromSurface, distances.MeanFromSurface });
+  const Vector3& place = distances.FarthestPlace;
+  addNumbers("FarthestPlace", { place[0], place[1], place[2] });
+  addNumbers("AreaShares", report.AreaShares);
+  addNumbers("RatioOfSizes", { report.AskedRatio, report.ReachedRatio });
 }
 
 /// Valence less 4; 0 on the boundary.
@@ -130,7 +153,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
 
 void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = view.Mesh();
+  const TriangleMesh& mesh = quads.Finer ? quads.Finer->Geometry.Mesh : view.Mesh();
   std::map<std::tuple<int, FixedPoint, FixedPoint>, vtkIdType> numbers; // of corners with the same coordinates
   std::vector<int> halfedges;                                           // one for each of these
   PolyDataBuilder drawing(PolyDataBuilder::Cells::Polygons);
@@ -155,19 +178,20 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
       corners[k] = number->second;
     }
     drawing.AddCell(corners);
-    ofCells->CopyData(givenToCells, view.Relation().CellOf(face), face);
+    ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Finer ? quads.Finer->Parents[face] : face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
   const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
   LeaveOut(ofPoints);
-  ofPoints->CopyAllocate(givenToPoints, size);
+  ofPoints->InterpolateAllocate(givenToPoints, size);
   AllowAnyNumber(ofPoints);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
-    ofPoints->CopyData(givenToPoints, view.Relation().PointOf(mesh.Tail(h)), point);
+    const SurfacePlace place = quads.Finer ? quads.Finer->InParent(AtTail(h)) : AtTail(h);
+    InterpolateAt(view, place, givenToPoints, point, ofPoints);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));
