@@ -104,6 +104,18 @@ class FirstContact(unittest.TestCase):
             points = simple.servermanager.Fetch(drawn).GetNumberOfPoints()
             self.assertEqual(points > 0, kind is not simple.FieldSingularities)  # parallel vectors have none
 
+    def test_fibres_follow_the_only_vectors(self):
+        """Beside normals. Of two arrays none is chosen, and what a script names stays."""
+        fibres = simple.Calculator(Input=sphere(), ResultArrayName="Fibres", Function="kHat")
+        both = simple.Calculator(Input=fibres, ResultArrayName="Sheets", Function="jHat")
+        both.UpdatePipeline()
+        for kind in (simple.FibreOrientation, simple.FiberOrientation):
+            self.assertEqual(list(kind(Input=fibres).Directions), ["POINTS", "Fibres"])
+            self.assertEqual(kind(Input=fibres, Directions=["POINTS", "Normals"]).Directions[1], "Normals")
+            self.assertEqual(kind(Input=both).Directions[1], "None")
+            self.assertEqual(kind(Input=sphere()).Directions[1], "None")
+        self.assertEqual(simple.LineField(Input=fibres).Directions[1], "None")
+
     def test_messages_say_what_is_followed(self):
         window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)
