@@ -77,24 +77,17 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
   LeaveOut(to);
   to->InterpolateAllocate(from, size);
   AllowAnyNumber(to);
-  const auto normals = NewArray("Normals", 3, size);
   vtkNew<vtkIdList> corners;
   corners->SetNumberOfIds(3);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
     SurfacePlace place = quads.Places[vertex];
-    Vector3 normal = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      const int corner = view.Mesh().Tail(3 * place.Face + k);
-      corners->SetId(k, view.Relation().PointOf(corner));
-      normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
+      corners->SetId(k, view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
     }
     to->InterpolatePoint(from, vertex, corners, place.Weights.data());
-    normals->SetTuple(vertex,
-      (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
   }
-  to->SetNormals(normals);
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
