@@ -23,11 +23,11 @@
  * @section vtkFieldQuads-Outputs Outputs
  *
  * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell
- * below it. Besides,
+ * below it. It has no normals, as points at sharp edges have several: quads are shaded as flat, and vtkPolyDataNormals with Splitting on
+ * makes normals, which doubles these points. Besides,
  *
  * | array          | of     | components | type   | meaning                                                         |
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
- * | Normals        | points | 3          | double | of the surface, unit; the active normals                        |
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, <= 0 if inverted   |
  *

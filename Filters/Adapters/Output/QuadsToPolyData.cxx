@@ -70,21 +70,10 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
   LeaveOut(to);
   to->InterpolateAllocate(from, size);
   AllowAnyNumber(to);
-  const auto normals = NewArray("Normals", 3, size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    const SurfacePlace& place = quads.Places[vertex];
-    Vector3 normal = Vector3::Zero();
-    for (int k = 0; k < 3; ++k)
-    {
-      const int corner = view.Mesh().Tail(3 * place.Face + k);
-      normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
-    }
-    InterpolateAt(view, place, from, vertex, to);
-    normals->SetTuple(vertex,
-      (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
+    InterpolateAt(view, quads.Places[vertex], from, vertex, to);
   }
-  to->SetNormals(normals);
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
