@@ -34,11 +34,11 @@ void AddPreparation(const PreparationReport& report, const PreparationOptions& o
   }
 }
 
-void AddPositiveSide(const SidesOfSurface& sides, vtkFieldData* fieldData)
+void AddPositiveSide(const std::vector<PositiveSide>& sides, vtkFieldData* fieldData)
 {
   vtkNew<vtkStringArray> side;
   side->SetName(ArrayNames::PositiveSide);
-  side->InsertNextValue(sides.Text());
+  side->InsertNextValue(TextOf(sides));
   AddHidden(fieldData, side);
 }
 
