@@ -119,7 +119,8 @@ int vtkDirectionalProlongation::RequestData(
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
     options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const dmg::PreparationOptions preparation{ dmg::Numbering::AsGiven, this->JoinPoints, this->Strict };
+    // Operators are in the frames of the caller's cells.
+    const dmg::PreparationOptions preparation{ dmg::Numbering::AsGiven, this->JoinPoints, this->Strict, true };
     this->Internals->SetUp(
       input, preparation, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
 

@@ -2,7 +2,6 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
-#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Drawing/AnglesOfField.h"
 #include "Mesh/PositiveSide.h"
@@ -57,7 +56,6 @@ int vtkFieldAngles::RequestData(
       this->Period = 360.0 / given.Field.N();
       given.View.StartOutput(vtkDataSet::GetData(outputVector));
       vtkDataSet* const output = given.View.Output();
-      dmg::AddPositiveSide(sides, output->GetFieldData());
       given.View.OfCells(context).AddOfLargest("Angle", angles.data());
       output->GetCellData()->SetActiveScalars("Angle");
     });

@@ -4,8 +4,7 @@
  *
  * vtkFieldAngles measures fibre, helix and layer angles: on each triangle, the angle from a reference vector, projected to the plane
  * of the triangle, to the nearest direction of a field. Angles are counted counter-clockwise, seen
- * from outside on closed surfaces and on globes around the origin, from +z in a plane of constant z, from the convex side of tubes
- * and domes, else from the side of the cells, and lie between -180 / N and 180 / N degrees. PositiveSide in the field data names the side. For lines and crosses the sign
+ * from the positive side of the surface (vtkOrientedSurfaceAlgorithm), and lie between -180 / N and 180 / N degrees. PositiveSide in the field data names the side. For lines and crosses the sign
  * of the reference does not matter.
  *
  * @section vtkFieldAngles-Inputs Inputs

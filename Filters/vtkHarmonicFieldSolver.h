@@ -327,7 +327,7 @@ public:
   ///@{
   /**
    * Whether all N directions come as arrays, Direction0 to Direction(N - 1), rather than Direction0 alone. The others follow from it:
-   * Direction k is Direction0, rotated counter-clockwise around the normal by 360 k / N degrees. The filters and writers of this
+   * Direction k is Direction0, rotated counter-clockwise by 360 k / N degrees, seen from the positive side. The filters and writers of this
    * module know that, by the field data NumberOfDirections. Default off.
    */
   vtkSetMacro(AllDirections, bool);
@@ -468,7 +468,7 @@ public:
 
   ///@{
   /**
-   * The rotation of the field against each of these features, in degrees, counter-clockwise about the normal, besides
+   * The rotation of the field against each of these features, in degrees, counter-clockwise seen from the positive side, besides
    * Rotation: for lines across an edge, 90. Default 0, range -180 to 180.
    */
   vtkSetMacro(BoundaryRotation, double);
@@ -506,7 +506,7 @@ public:
 
   ///@{
   /**
-   * The rotation of the field against all that it follows, in degrees, counter-clockwise about the normal; the
+   * The rotation of the field against all that it follows, in degrees, counter-clockwise seen from the positive side; the
    * rotations of features come on top. Default 0, range -180 to 180.
    */
   vtkSetMacro(Rotation, double);

@@ -43,7 +43,7 @@
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
  * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide |
- * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential; none of a 1-form |
+ * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential, seen from PositiveSide; none of a 1-form |
  *
  * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are
  * means of the cells around, by angle. Where a function is free by a constant, its mean over the area of each component of the
@@ -62,7 +62,7 @@
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
  * | CellsWithoutFlow                            | 1          | cells that took no part                                              |
- * | PositiveSide                                | 1          | the outside, +z in planes of constant z, a convex side, else that of the cells |
+ * | PositiveSide                                | 1          | see vtkOrientedSurfaceAlgorithm |
  * | Solver, Converged, SolverBytes              | 1          | see Filters/HarmonicFieldSolver.md                                   |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the

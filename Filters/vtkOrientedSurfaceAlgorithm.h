@@ -21,6 +21,11 @@
  * - cells that are there twice, and duplicate ghosts, have the field of their twin;
  * - cells that are only a line or a point have the mean of the field around.
  *
+ * Rotations, the order of directions, normal parts, curvatures, vorticity and angles are seen from the positive side, which is one of the shape,
+ * whatever the order of rows and cells: the outside of a closed surface (of the solid, in its cavities) and of a part of a globe around the
+ * origin, +z in a plane of constant z, the convex side of tubes and domes, else the side of most cells. The field data array PositiveSide
+ * names it. Pieces on ranks that are solved in pieces have the side of their cells.
+ *
  * @section vtkOrientedSurfaceAlgorithm-Execution Execution
  *
  * Filters run in the threads of vtkSMPTools (in those of TBB where the backend is Sequential by default rather than by choice)

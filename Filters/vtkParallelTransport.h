@@ -33,7 +33,7 @@
  * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
  * | PointsWithoutSource | field data   | 1          | those on components without a source, where vectors are zero                  |
  * | PointsWithoutMap   | field data    | 1          | those on components without the map's point                                   |
- * | PositiveSide       | field data    | 1          | see vtkHodgeDecomposition                                                     |
+ * | PositiveSide       | field data    | 1          | see vtkOrientedSurfaceAlgorithm                                               |
  *
  * Port 1, the arrows: vtkPolyData, the output of vtkFieldGlyphs for TransportedVectors, at ArrowDistance.
  *

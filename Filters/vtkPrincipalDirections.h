@@ -28,7 +28,7 @@
  * | ---------------- | ---------- | ----------------------------------------------------------------------------- |
  * | MaximumDirection | 3          | unit vector along which the surface bends by MaximumCurvature                 |
  * | MinimumDirection | 3          | the same of MinimumCurvature, a quarter turn counter-clockwise from the other |
- * | MaximumCurvature | 1          | 1 / length, positive where the surface bends away from its normal             |
+ * | MaximumCurvature | 1          | 1 / length, positive where the surface bends away from its positive side, as a sphere seen from outside |
  * | MinimumCurvature | 1          | at most MaximumCurvature                                                      |
  * | Confidence       | 1          | how clear the directions are, in [0, 1)                                       |
  *

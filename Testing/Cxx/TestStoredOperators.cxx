@@ -6,6 +6,8 @@
 
 #include "vtkDirectionalProlongation.h"
 #include "vtkIntArray.h"
+#include "vtkReverseSense.h"
+#include "vtkTable.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -71,6 +73,49 @@ TEST(StoredOperators, ChangeNothingWhereTheSolverTakesSamples)
     EXPECT_EQ(CellValues(with, "PowerField"), CellValues(without, "PowerField"));
     EXPECT_TRUE(messages.Silent());
     EXPECT_EQ(stale->GetOutput()->GetNumberOfCells(), bare->GetNumberOfCells());
+  }
+}
+
+// Stored operators are in the frames of the cells, and the solver sees the surface from outside.
+TEST(StoredOperators, AreThoseOfTheSameSurfaceFromInside)
+{
+  for (const int kind : { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::PointPowerField,
+         vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm })
+  {
+    std::vector<double> fields[2];
+    std::size_t iterations[2];
+    for (const int isInside : { 0, 1 })
+    {
+      vtkNew<vtkPolyData> sphere;
+      sphere->DeepCopy(Sphere());
+      if (isInside)
+      {
+        vtkNew<vtkReverseSense> reversed;
+        reversed->SetInputData(sphere);
+        reversed->Update();
+        sphere->DeepCopy(reversed->GetOutput());
+      }
+      const auto prolongation = NewProlongation(sphere);
+      prolongation->FaceFieldsOn();
+      prolongation->OneFormsOn();
+      prolongation->Update();
+      const auto solver = NewSolver(prolongation->GetPolyDataOutput());
+      solver->SetDiscretisation(kind);
+      solver->SetNumberOfDirections(1);
+      solver->SetRotation(30.0);
+      solver->SetTolerance(1e-10);
+      solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+      solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
+      solver->Update();
+      fields[isInside] = Values(solver->GetOutput()->GetCellData(), "Direction0");
+      iterations[isInside] = Convergence(solver)->GetNumberOfRows();
+    }
+    ASSERT_EQ(fields[0].size(), fields[1].size());
+    for (std::size_t i = 0; i < fields[0].size(); ++i)
+    {
+      ASSERT_NEAR(fields[0][i], fields[1][i], 1e-6) << kind;
+    }
+    EXPECT_NEAR(static_cast<double>(iterations[0]), static_cast<double>(iterations[1]), 3.0) << kind;
   }
 }
 

@@ -135,6 +135,75 @@ class OrderOfRows(unittest.TestCase):
             self.assertGreater(np.cross(points[start], points[end]), 0)  # counter-clockwise, as the flow
 
 
+class Sides(unittest.TestCase):
+    """Rotations, boundaries, the order of directions, normal parts and curvatures are seen from the positive side of the shape, whatever the
+    order of the cells' corners."""
+
+    def test_of_a_globe_are_the_same_from_south_and_from_north(self):
+        for latitudes in (np.linspace(-80, 80, 41), np.linspace(80, -80, 41)):
+            grid, xyz = globe(np.linspace(0, 360, 73), latitudes)
+            east = np.stack([-xyz[:, 1], xyz[:, 0], 0 * xyz[:, 2]], 1)
+            speed = np.linalg.norm(east, axis=1)
+            add(grid.GetPointData(), "Wind", east)
+            turned = smooth_field(grid, n=1, Directions="Wind", Rotation=30)
+            vectors = values(turned.GetPointData(), "Direction0")
+            up = np.einsum("ij,ij->i", xyz, np.cross(east, vectors))
+            angles = np.degrees(np.arctan2(up, np.einsum("ij,ij->i", east, vectors)))[speed > 0.3]
+            self.assertLess(np.abs(np.median(angles) - 30), 1)
+            along = values(smooth_field(grid, n=1, BoundaryWeight=1).GetPointData(), "Direction0")
+            north = np.abs(xyz[:, 2] - np.sin(np.radians(80))) < 1e-6
+            eastward = np.einsum("ij,ij->i", along, east)[north] / speed[north] / np.linalg.norm(along[north], axis=1)
+            np.testing.assert_allclose(eastward, -1, atol=0.01)  # with the surface on the left
+            add(grid.GetPointData(), "Outwards", 0.8 * xyz + east)
+            outwards = values(hodge(grid, "Outwards").GetCellData(), "NormalComponent")
+            self.assertLess(np.abs(np.median(outwards) - 0.8), 0.01)
+            bent = vtkPrincipalDirections()
+            bent.SetInputData(grid)
+            self.assertLess(np.abs(np.median(values(update(bent).GetCellData(), "MaximumCurvature")) - 1), 0.05)
+
+    def test_of_planes_and_tubes_are_those_of_their_shape(self):
+        angles, heights = np.linspace(0, 2 * np.pi, 40, endpoint=False), np.linspace(0, 3, 16)
+        tube = np.stack([np.tile(np.cos(angles), 16), np.tile(np.sin(angles), 16), np.repeat(heights, 40)], 1)
+        square = np.stack([np.tile(np.linspace(-1, 1, 16), 16), np.repeat(np.linspace(-1, 1, 16), 16), np.zeros(256)], 1)
+
+        def quads(across, wraps):
+            at = lambda i, j: j * across + i % across
+            return [[at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)] for j in range(15) for i in range(across - (not wraps))]
+
+        for turn in (1, -1):
+            bent = vtkPrincipalDirections()
+            bent.SetInputData(polygons(tube, [quad[::turn] for quad in quads(40, True)]))
+            result = update(bent)
+            np.testing.assert_allclose(np.median(values(result.GetCellData(), "MaximumCurvature")), 1, atol=0.1)
+            self.assertLess(np.abs(values(result.GetCellData(), "MaximumDirection")[:, 2]).max(), 0.1)
+            plane = polygons(square, [quad[::turn] for quad in quads(16, False)])
+            add(plane.GetPointData(), "Along", np.tile((1.0, 0, 0), (256, 1)))
+            crosses = smooth_field(plane, n=4, Directions="Along", AllDirections=True)
+            first, second = (values(crosses.GetPointData(), name) for name in ("Direction0", "Direction1"))
+            np.testing.assert_allclose(np.cross(first, second), np.tile((0, 0, 1), (256, 1)), atol=1e-3)
+            turned = values(smooth_field(plane, n=1, Directions="Along", Rotation=30).GetPointData(), "Direction0")
+            np.testing.assert_allclose(turned, np.tile((np.sqrt(0.75), 0.5, 0), (256, 1)), atol=1e-3)
+
+    def test_of_powers_on_cells_are_in_the_frames_of_their_own_corners(self):
+        """The N-th power of a direction in the frame whose first axis is along the first side of the cell, its normal that of the corners."""
+        at = np.array([[i, j, 0.0] for j in range(7) for i in range(7)])
+        triangles = np.array([t for j in range(6) for i in range(6) for a in [j * 7 + i] for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))])
+        angle = 0.3
+        for corners in (triangles, triangles[:, ::-1]):
+            data = surface(at, corners)
+            add(data.GetPointData(), "D", np.tile([np.cos(angle), np.sin(angle), 0], (len(at), 1)))
+            side = at[corners[:, 1]] - at[corners[:, 0]]
+            turn = 1 if corners is triangles else -1
+            for n in (1, 2, 3, 4):
+                for kind in ("PowerField", "PointPowerField"):
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("ignore", FieldWarning)  # triangles of grids are sheared
+                        field = smooth_field(data, n=n, Directions="D", Discretisation=kind)
+                    powers = values(field.GetCellData(), "PowerField") @ [1, 1j]
+                    expected = np.exp(1j * n * turn * (angle - np.arctan2(side[:, 1], side[:, 0])))
+                    np.testing.assert_allclose(powers / np.abs(powers), expected, atol=1e-6)
+
+
 class Derivatives(unittest.TestCase):
     def test_of_linear_flows_are_exact_at_corners_and_in_strips(self):
         for nx, ny in ((11, 11), (11, 2)):

@@ -145,7 +145,7 @@ Vector<Complex> ReadVertices(
     surface.Geometry.Mesh.NumberOfVertices(), pointOf, left, context);
 }
 
-/// Refuses arrays Direction1, ... that are not Direction0, turned.
+/// Refuses arrays Direction1, ... that are not Direction0, turned either way: fields of pieces are as their cells are.
 void CheckSiblings(
   vtkDataSet* input, const CellsOnFaces& cells, const Vector<Complex>& first, int N, const ExecutionContext& context)
 {
@@ -158,6 +158,10 @@ void CheckSiblings(
     }
     CheckTuples(array, input, vtkDataObject::CELL);
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
+    const auto areAlike = [](Complex one, Complex other) {
+      return std::abs(one / std::max(std::abs(one), 1e-300) - other / std::max(std::abs(other), 1e-300)) <=
+        LargestAngle;
+    };
     const auto isTurned = [&](int face)
     {
       const Complex given = cells.Read(array, face);
@@ -165,9 +169,7 @@ void CheckSiblings(
       {
         return first[face] == 0.0;
       }
-      const Complex expected = turn * first[face];
-      return std::abs(given / std::max(std::abs(given), 1e-300) - expected / std::max(std::abs(expected), 1e-300)) <=
-        LargestAngle;
+      return areAlike(given, turn * first[face]) || areAlike(given, std::conj(turn) * first[face]);
     };
     std::atomic<bool> areTurned{ true };
     context.ParallelFor(0, static_cast<int>(first.size()), Grain,

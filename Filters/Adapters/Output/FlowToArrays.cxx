@@ -287,7 +287,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   RemoveFlowArrays(output);
   const double scale = options.LengthScale;
   const SidesOfSurface& sides = this->Decomposition->Sides();
-  AddPositiveSide(sides, output->GetFieldData());
+  AddPositiveSide(sides.Kinds, output->GetFieldData());
   const FlowArrays arrays(view, this->CornersOfFaces, context);
   arrays.AddPart(GradientPart, parts.Gradient);
   arrays.AddPart(RotationalPart, parts.Rotational);
@@ -297,7 +297,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   arrays.AddPart(SteeringFlow, parts.Steering);
   if (flow.Normal.size() > 0)
   {
-    view.OfCells(context).Add(NormalComponent, 1, flow.Normal.data());
+    view.OfCells(context).Add(NormalComponent, 1, Vector<double>(flow.Normal.cwiseProduct(sides.OfFaces)).data());
   }
   arrays.AddFunction(Potential, parts.Potential, scale);
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);

@@ -4,7 +4,6 @@
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
-#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Geodesics/VertexInFront.h"
 #include "Support/Errors.h"
 
@@ -179,7 +178,6 @@ void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, i
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
   AddNumber(MapPoint, view.Relation().PointOf(from.Vertex), output);
   AddNumber(PointsWithoutMap, map.Unreached, output);
-  AddPositiveSide(this->Transport->Sides(), output->GetFieldData());
   MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
   view.LinesBack(circles);
 }

@@ -85,15 +85,20 @@ void ArraysOfCells::AddPowers(
   this->ForCells({ tuples }, 2,
     [&](vtkIdType cell, const ElementRow& faces)
     {
-      if (faces.size() == 1)
+      double* const tuple = tuples + 2 * cell;
+      std::copy_n(powers + 2 * static_cast<vtkIdType>(faces.front()), 2, tuple);
+      if (faces.size() > 1)
       {
-        std::copy_n(powers + 2 * static_cast<vtkIdType>(faces.front()), 2, tuples + 2 * cell);
-        return;
+        const Complex mean = means.Mean(faces, first).First;
+        const Complex power = std::polar(std::abs(mean), N * std::arg(mean));
+        tuple[0] = power.real();
+        tuple[1] = power.imag();
       }
-      const Complex mean = means.Mean(faces, first).First;
-      const Complex power = std::polar(std::abs(mean), N * std::arg(mean));
-      tuples[2 * cell] = power.real();
-      tuples[2 * cell + 1] = power.imag();
+      if (this->Surface.IsTurned(faces.front()))
+      {
+        // The caller's first axis is reversed: z is minus its conjugate there.
+        tuple[N % 2 == 0 ? 1 : 0] *= -1.0;
+      }
     });
   this->Finish(name, false);
 }

@@ -30,9 +30,9 @@ void AddPreparation(const PreparationReport& report, const PreparationOptions& o
   }
 }
 
-void AddPositiveSide(const SidesOfSurface& sides, vtkFieldData* fieldData)
+void AddPositiveSide(const std::vector<PositiveSide>& sides, vtkFieldData* fieldData)
 {
-  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::PositiveSide, sides.Text()));
+  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::PositiveSide, TextOf(sides)));
 }
 
 PreparationOptions PreparationOf(vtkDataSet* surface)

@@ -4,6 +4,8 @@
 #include "Mesh/PositiveSide.h"
 #include "Preparation/PreparedSurface.h"
 
+#include <vector>
+
 class vtkAlgorithm;
 class vtkDataSet;
 class vtkFieldData;
@@ -16,7 +18,7 @@ namespace dmg
 void AddPreparation(const PreparationReport& report, const PreparationOptions& options, vtkFieldData* fieldData);
 
 /// Writes the sides from which counter-clockwise is positive, in words, as PositiveSide.
-void AddPositiveSide(const SidesOfSurface& sides, vtkFieldData* fieldData);
+void AddPositiveSide(const std::vector<PositiveSide>& sides, vtkFieldData* fieldData);
 
 /// The options by which the filter that wrote the field of a surface has prepared it, or the default ones: a field is
 /// drawn on the mesh that it was computed on.

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 namespace dmg
@@ -14,7 +15,7 @@ namespace
 class HeldSurfaces
 {
 public:
-  using Key = std::pair<std::string, Numbering>; ///< the digest says all but the order
+  using Key = std::tuple<std::string, Numbering, bool>; ///< the digest says all but the order and the sides
 
   std::shared_ptr<const PreparedDataSet> Find(const Key& key)
   {
@@ -55,7 +56,7 @@ std::shared_ptr<const PreparedDataSet> PrepareDataSet(
 std::shared_ptr<const PreparedDataSet> PrepareDataSet(
   vtkDataSet* surface, const std::string& digest, const PreparationOptions& options, const ExecutionContext& context)
 {
-  const HeldSurfaces::Key key(digest, options.Order);
+  const HeldSurfaces::Key key(digest, options.Order, options.KeepsSides);
   if (auto held = Held().Find(key))
   {
     return held;

@@ -106,7 +106,9 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
     {
       if (!isEmpty)
       {
-        mesh = MeshFromDataSet(input, preparation, PartOfContext(context, 0.0, 0.4));
+        PreparationOptions ofPiece = preparation;
+        ofPiece.KeepsSides = true;
+        mesh = MeshFromDataSet(input, ofPiece, PartOfContext(context, 0.0, 0.4));
         piece.Positions = mesh->Mesh.VertexPositions();
         piece.Corners = mesh->Mesh.FaceCorners();
       }

@@ -1,6 +1,7 @@
 #include "Adapters/Surface/SolverOfSurface.h"
 
 #include "Adapters/Surface/ArrayNames.h"
+#include "Levels/OperatorsFromOtherSide.h"
 #include "Setup/FieldSetup.h"
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
@@ -52,10 +53,11 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
     }
   }
   const Stopwatch watch;
+  const std::vector<char>& isTurned = this->Prepared->Relation.Turned();
   const bool isFirst = this->SolverOfMesh->Counts().Setups == 0; // then the solver counts it
   this->OperatorsByOrigin.emplace_back(origin,
     std::make_shared<const ProlongationOperators>(
-      OperatorsFromFieldData(input->GetFieldData(), this->SolverOfMesh->Surface().Mesh)));
+      SeenFromOtherSide(OperatorsFromFieldData(input->GetFieldData(), this->SolverOfMesh->Surface().Mesh), isTurned)));
   this->OperatorsSeconds = watch.Seconds();
   this->FormerCounts.Setups += isFirst ? 0 : 1;
   return this->OperatorsByOrigin.back().second;

@@ -115,6 +115,7 @@ void SurfaceView::StartOutput(vtkDataSet* output)
   this->OutputData = output;
   output->ShallowCopy(this->GivenData);
   AddPreparation(this->Report, this->Options, output->GetFieldData());
+  AddPositiveSide(this->Report.Sides, output->GetFieldData());
   for (const auto& step : this->Steps)
   {
     step->Report(output->GetFieldData());

@@ -116,14 +116,57 @@ std::vector<Component> Measure(const TriangleMesh& mesh, const std::vector<int>&
   return components;
 }
 
+/// Whether a component lies in the box of one of others, which are larger.
+bool IsInside(const Component& component, const std::vector<const Component*>& others)
+{
+  return std::any_of(others.begin(), others.end(),
+    [&component](const Component* other)
+    {
+      return (other->Smallest.array() < component.Smallest.array()).all() &&
+        (component.Largest.array() < other->Largest.array()).all();
+    });
 }
 
-std::string SidesOfSurface::Text() const
+/// The sides of components. A closed one is a cavity where its volume has another sign than the sum of all, and it lies in the box of one that
+/// has the sign of the sum: then the outside is that of the solid.
+std::vector<std::pair<PositiveSide, bool>> SidesOf(const std::vector<Component>& components, bool isGlobe)
+{
+  double volume = 0.0;
+  for (const Component& component : components)
+  {
+    volume += component.IsClosed ? component.Volume : 0.0;
+  }
+  std::vector<const Component*> solids;
+  std::vector<std::pair<PositiveSide, bool>> sides;
+  for (const Component& component : components)
+  {
+    sides.push_back(component.Side(isGlobe));
+    if (sides.back() == std::make_pair(PositiveSide::Outside, volume > 0.0))
+    {
+      solids.push_back(&component);
+    }
+  }
+  std::sort(solids.begin(), solids.end(),
+    [](const Component* one, const Component* other) { return one->Diagonal() > other->Diagonal(); });
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    auto& [kind, isCounterClockwise] = sides[i];
+    if (kind == PositiveSide::Outside && isCounterClockwise != (volume > 0.0) && IsInside(components[i], solids))
+    {
+      isCounterClockwise = !isCounterClockwise;
+    }
+  }
+  return sides;
+}
+
+}
+
+std::string TextOf(const std::vector<PositiveSide>& kinds)
 {
   constexpr std::array<const char*, 5> Texts{ "the outside", "the side away from the origin", "+z", "the convex side",
     "the side from which the corners of its cells are counter-clockwise" };
   std::string text;
-  for (const PositiveSide side : this->Kinds)
+  for (const PositiveSide side : kinds)
   {
     text += (text.empty() ? "" : ", ") + std::string(Texts[static_cast<int>(side)]);
   }
@@ -145,9 +188,8 @@ SidesOfSurface FindSides(const TriangleMesh& mesh, bool isGlobe)
   const std::vector<int> componentOf = FaceComponents(mesh);
   std::vector<double> signs; // of components
   SidesOfSurface sides;
-  for (const Component& component : Measure(mesh, componentOf))
+  for (const auto& [kind, isCounterClockwise] : SidesOf(Measure(mesh, componentOf), isGlobe))
   {
-    const auto [kind, isCounterClockwise] = component.Side(isGlobe);
     sides.Kinds.push_back(kind);
     signs.push_back(isCounterClockwise ? 1.0 : -1.0);
   }

@@ -90,6 +90,13 @@ public:
   /// Whether each cell has one face at most, and each point one vertex, and no two share any.
   bool IsOneToOne() const { return this->FacesOfCells.Offsets.empty() && this->VerticesOfPoints.Offsets.empty(); }
 
+  /// Whether a face was turned to be seen from the positive side: its corners are the second, the first and the third one of the triangle before.
+  /// So its frame (FaceFrames) has the first axis reversed, and the second one as it was.
+  bool IsTurned(int face) const { return !this->TurnedFaces.empty() && this->TurnedFaces[face] != 0; }
+  /// For all faces; empty where none is turned.
+  const std::vector<char>& Turned() const { return this->TurnedFaces; }
+  void SetTurned(std::vector<char>&& faces) { this->TurnedFaces = std::move(faces); }
+
   /// The edges of the cells, without the diagonals that cut polygons into triangles, in ascending order of their
   /// (smaller, larger) point.
   const std::vector<int>& Edges() const { return this->EdgesOfCells; }
@@ -111,6 +118,7 @@ private:
   ElementRows FacesOfCells;
   std::vector<int> PointsOfVertices;
   ElementRows VerticesOfPoints;
+  std::vector<char> TurnedFaces;
   std::vector<int> EdgesOfCells;
 };
 

@@ -1,7 +1,10 @@
 #ifndef dmgPreparationReport_h
 #define dmgPreparationReport_h
 
+#include "Mesh/PositiveSide.h"
+
 #include <string>
+#include <vector>
 
 namespace dmg
 {
@@ -16,6 +19,9 @@ struct PreparationReport
   int EdgesParted = 0;    ///< at which more than two sheets met
   int EdgesCut = 0;       ///< of seams along which a surface with one side only was cut
   int PointsParted = 0;   ///< at which fans of triangles met
+
+  /// The sides from which the corners of the faces are counter-clockwise, those that occur.
+  std::vector<PositiveSide> Sides;
 
   /// Whether something is other than it was given. Joined points close seams that nobody sees, and cells without area are
   /// not seen themselves, so these are no change.

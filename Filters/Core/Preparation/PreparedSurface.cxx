@@ -1,5 +1,6 @@
 #include "Preparation/PreparedSurface.h"
 
+#include "Mesh/PositiveSide.h"
 #include "Mesh/SpatialOrder.h"
 #include "Preparation/CoincidingPoints.h"
 #include "Preparation/PartsWithoutArea.h"
@@ -230,6 +231,30 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
   return surface;
 }
 
+/// Turns the faces of components whose corners are clockwise, seen from the positive side.
+PreparedSurface SeenFromPositiveSide(PreparedSurface&& surface, const ExecutionContext& context)
+{
+  SidesOfSurface sides = FindSides(surface.Mesh);
+  surface.Report.Sides = std::move(sides.Kinds);
+  if ((sides.OfFaces.array() > 0.0).all())
+  {
+    return std::move(surface);
+  }
+  Triangles corners = surface.Mesh.FaceCorners();
+  std::vector<char> isTurned(corners.rows());
+  for (Eigen::Index face = 0; face < corners.rows(); ++face)
+  {
+    isTurned[face] = sides.OfFaces[face] < 0.0;
+    if (isTurned[face])
+    {
+      std::swap(corners(face, 0), corners(face, 1));
+    }
+  }
+  TriangleMesh turned(surface.Mesh.VertexPositions(), std::move(corners), surface.Relation.Names(), context);
+  surface.Relation.SetTurned(std::move(isTurned));
+  return { std::move(turned), std::move(surface.Relation), std::move(surface.Report) };
+}
+
 }
 
 PreparedSurface PrepareSurface(
@@ -262,8 +287,10 @@ PreparedSurface PrepareSurface(
     }
   }
   given = CellTriangles(); // frees its memory before more is needed
-  surface->Relation.SetEdges(surface->Mesh, context);
-  return std::move(*surface);
+  surface->Report.Sides = { PositiveSide::OfCells };
+  PreparedSurface seen = options.KeepsSides ? std::move(*surface) : SeenFromPositiveSide(std::move(*surface), context);
+  seen.Relation.SetEdges(seen.Mesh, context);
+  return seen;
 }
 
 }

@@ -22,10 +22,13 @@ struct PreparationOptions
   dmg::Numbering Order = Numbering::Spatial;
   bool JoinPoints = true; ///< points that coincide are one
   bool Strict = false;    ///< what is not an oriented manifold surface is refused; no points are joined
+  bool KeepsSides =
+    false; ///< faces stay as the cells are, as of a piece of a surface, whose positive side only the whole has
 
   bool operator==(const PreparationOptions& other) const
   {
-    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict;
+    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict &&
+      this->KeepsSides == other.KeepsSides;
   }
 };
 
@@ -50,6 +53,10 @@ struct PreparedSurface
 /// - Triangles are turned until neighbours agree, in each component as most of them are. A surface with one side only is
 ///   cut along a short seam.
 /// - A point whose triangles form several fans becomes a vertex for each of them.
+///
+/// The corners of all faces are counter-clockwise, seen from the positive side (PositiveSide.h): components that are given the other way round
+/// are turned (SurfaceRelation::IsTurned), which is no repair. So rotations, the order of directions, normal parts and curvatures have signs
+/// that do not depend on the order of a file's rows or cells.
 ///
 /// \throw InvalidInput a coordinate that is not finite, corners out of range, no triangle with an area, too many
 /// triangles; with Strict, as the constructor of TriangleMesh. Messages have the numbers of cells and points.

@@ -123,12 +123,25 @@ TEST(PositiveSide, OfTubesAndDomesIsTheConvexOne)
   }
 }
 
+TEST(PositiveSide, KeepsTheCavityOfASolid)
+{
+  Surface cavity = Mirrored(Icosphere(1));
+  cavity.V *= 0.5;
+  const Surface shell = Union(Icosphere(2), cavity, Vector3::Zero());
+  const auto turned = [](const Surface& surface) { return (FindSides(surface.Mesh()).OfFaces.array() < 0.0).count(); };
+  EXPECT_EQ(turned(shell), 0);
+  EXPECT_EQ(turned(Mirrored(shell)), shell.F.rows());
+  EXPECT_EQ(turned(Mirrored(Icosphere(2))), Icosphere(2).F.rows());
+  EXPECT_EQ(turned(Union(Icosphere(2), Mirrored(PlaneGrid(4, 4)), { 5.0, 0.0, 0.0 })), 32);
+  EXPECT_EQ(turned(Union(Icosphere(2), Mirrored(Icosphere(1)), { 5.0, 0.0, 0.0 })), 80); // another solid
+}
+
 TEST(PositiveSide, BelongsToEachComponentByItself)
 {
   const Surface both = Union(Mirrored(Icosphere(1)), PlaneGrid(3, 3), { 9.0, 0.0, 0.0 });
   const SidesOfSurface sides = FindSides(both.Mesh());
   EXPECT_EQ(sides.Kinds, (std::vector<PositiveSide>{ PositiveSide::Outside, PositiveSide::Up }));
-  EXPECT_EQ(sides.Text(), "the outside, +z");
+  EXPECT_EQ(TextOf(sides.Kinds), "the outside, +z");
   EXPECT_EQ(sides.OfFaces.head(80), Vector<double>::Constant(80, -1.0));
   EXPECT_EQ(sides.OfFaces.tail(18), Vector<double>::Constant(18, 1.0));
 }

@@ -2,6 +2,7 @@
 
 #include "PreparedSurfaces.h"
 
+#include "Mesh/TangentFrames.h"
 #include "Support/Errors.h"
 
 #include <gtest/gtest.h>
@@ -93,6 +94,28 @@ TEST(PreparedSurface, LeavesAManifoldAsItIs)
     EXPECT_EQ(prepared.Mesh.VertexPositions(), surface.V);
     ExpectConsistent(Prepared(surface), surface.V, static_cast<int>(surface.F.rows()));
   }
+}
+
+// The second axis of each frame stays, the first one and the normal are reversed.
+TEST(PreparedSurface, IsSeenFromItsPositiveSide)
+{
+  Surface inside = Icosphere(1);
+  inside.F.col(1).swap(inside.F.col(2));
+  const Surface both = Union(inside, PlaneGrid(3, 3), { 9.0, 0.0, 0.0 });
+  const PreparedSurface asGiven = Prepared(both, { Numbering::AsGiven, true, false, true });
+  const PreparedSurface prepared = Prepared(both, { Numbering::AsGiven });
+  const TangentFrames before = FaceFrames(asGiven.Mesh), after = FaceFrames(prepared.Mesh);
+  for (int face = 0; face < prepared.Mesh.NumberOfFaces(); ++face)
+  {
+    EXPECT_EQ(prepared.Relation.IsTurned(face), face < 80);
+    const double sign = face < 80 ? -1.0 : 1.0;
+    EXPECT_LT((after.X.row(face) - sign * before.X.row(face)).norm(), 1e-14);
+    EXPECT_LT((after.Y.row(face) - before.Y.row(face)).norm(), 1e-14);
+  }
+  EXPECT_FALSE(prepared.Report.IsChanged());
+  EXPECT_EQ(prepared.Report.Sides, (std::vector<PositiveSide>{ PositiveSide::Outside, PositiveSide::Up }));
+  EXPECT_TRUE(asGiven.Relation.Turned().empty());
+  EXPECT_EQ(asGiven.Report.Sides, std::vector<PositiveSide>{ PositiveSide::OfCells });
 }
 
 TEST(PreparedSurface, MakesASphereOfASoup)
