@@ -54,7 +54,7 @@ int vtkFieldAngles::RequestData(
         angles = angles.array().isNaN().select(0.0, angles);
       }
       this->Period = 360.0 / given.Field.N();
-      given.View.StartOutput(vtkDataSet::GetData(outputVector));
+      given.View.StartOutput(vtkDataSet::GetData(outputVector), this->GetClassName());
       vtkDataSet* const output = given.View.Output();
       given.View.OfCells(context).AddOfLargest("Angle", angles.data());
       output->GetCellData()->SetActiveScalars("Angle");

@@ -64,8 +64,8 @@
  * | PowerField                | cells, points | 2          | the N-th power, a complex number (power fields only)      |
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
- * | Prescribed                | points        | 1          | weight, else 0 (1-forms: on port 1; PowerField, FaceField: on cells) |
- * | SingularityIndex          | cells         | 1          | multiple of 1 / N (others, and prescribed ones: points) |
+ * | Prescribed                | cells, points | 1          | weight, else 0, where unknowns are (1-forms: port 1)      |
+ * | SingularityIndex          | cells, points | 1          | multiple of 1 / N (cells: PointPowerField, not prescribed) |
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,

@@ -148,7 +148,7 @@ int vtkHodgeDecomposition::RequestData(
       : dmg::FlowFromArrays(view, arrays, dmg::PartOfContext(context, 0.08, 0.1));
 
     dmg::WarnOfPreparation(this, view.Repair());
-    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
     const dmg::FlowOptions outputs = vtkInternals::OutputsOf(*this, edges != nullptr);
     dmg::Warn(this,
       surface.Decompose(flow, outputs, view, vtkPolyData::GetData(outputVector, 1),

@@ -181,8 +181,7 @@ int vtkParallelTransport::RequestData(
     dmg::TransportSurface& surface = this->Internals->Surface;
     surface.SetSurface(view.Prepared(), { this->TimeStep }, dmg::PartOfContext(context, 0.1, 0.2));
     dmg::WarnOfPreparation(this, view.Repair());
-    view.StartOutput(vtkDataSet::GetData(outputVector, 0));
-    dmg::RemoveTransportArrays(view.Output());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
 
     dmg::Constraints sources = SourcesFromArrays(this, dmg::Vector3(this->Axis), view);
     const bool isPointSource = this->AddPoint || sources.AreEmpty();

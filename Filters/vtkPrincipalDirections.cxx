@@ -28,7 +28,7 @@ int vtkPrincipalDirections::RequestData(
     dmg::PrincipalDirections found =
       dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.85));
     dmg::CombSigns(framed, found, dmg::PartOfContext(context, 0.85, 0.9));
-    view.StartOutput(vtkDataSet::GetData(outputVector));
+    view.StartOutput(vtkDataSet::GetData(outputVector), this->GetClassName());
     dmg::AddCurvatures(view, found, dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

@@ -9,31 +9,8 @@
 namespace dmg
 {
 
-namespace
-{
-
-/// Takes away a basis of any size.
-void RemoveBasis(vtkDataSet* surface)
-{
-  vtkCellData* const cells = surface->GetCellData();
-  for (int i = cells->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    const char* const chars = cells->GetArrayName(i);
-    const std::string name = chars ? chars : "";
-    const std::string prefix = ArrayNames::HarmonicBasisPrefix;
-    if (name.size() > prefix.size() && name.compare(0, prefix.size(), prefix) == 0 &&
-      name.find_first_not_of("0123456789", prefix.size()) == std::string::npos)
-    {
-      cells->RemoveArray(i);
-    }
-  }
-}
-
-}
-
 void AddBasis(const SurfaceView& view, const Field& field, vtkPolyData* edges, const ExecutionContext& context)
 {
-  RemoveBasis(view.Output());
   if (!field.HarmonicBasis)
   {
     return;

@@ -12,7 +12,7 @@ namespace dmg
 {
 
 /// Adds the basis of harmonic fields that a field comes with to the cells of a view's output and, where the field is one of numbers on
-/// edges, to \p edges. Removes the basis that an earlier solver left, of any size.
+/// edges, to \p edges.
 /// \throw Cancelled
 void AddBasis(const SurfaceView& view, const Field& field, vtkPolyData* edges, const ExecutionContext& context);
 

@@ -22,7 +22,7 @@ void WriteField(SurfaceView& view, const Field& field, double setupSeconds, cons
   vtkPolyData* const edges = vtkPolyData::GetData(outputs, 1);
   vtkTable* const convergence = vtkTable::GetData(outputs, 2);
   const double most = field.HarmonicBasis ? 0.2 : 1.0;
-  view.StartOutput(output);
+  view.StartOutput(output, "vtkHarmonicFieldSolver");
   AddField(view, field, properties.AllDirections, edges, PartOfContext(context, 0.0, most));
   AddPrescribed(view, field.Solution->Constraints, field.Solution->Discretisation->Elements(), edges);
   AddBasis(view, field, edges, PartOfContext(context, most, 1.0));
@@ -30,7 +30,6 @@ void WriteField(SurfaceView& view, const Field& field, double setupSeconds, cons
   MakeConvergenceTable(field.Report, convergence);
   for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
   {
-    RemoveReport(data);
     AddFollowed(followed, data);
     AddReport(field, setupSeconds, data);
     if (!inputs.Guides.Data.empty())

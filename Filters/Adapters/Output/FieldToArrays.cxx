@@ -3,7 +3,6 @@
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Directions/PowerFieldDirections.h"
-#include "Discretisations/MakeDiscretisation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -19,8 +18,6 @@ namespace dmg
 
 namespace
 {
-
-constexpr int LargestN = 8;
 
 /// Makes lines of the edges.
 void MakeLines(const FramedSurface& on, vtkDataSet* surface, vtkPolyData* edges, const ExecutionContext& context)
@@ -47,20 +44,6 @@ void MakeLines(const FramedSurface& on, vtkDataSet* surface, vtkPolyData* edges,
   edges->SetPoints(PointsOf(surface));
 }
 
-void RemoveField(vtkDataSetAttributes* attributes)
-{
-  for (int k = 0; k < LargestN; ++k)
-  {
-    attributes->RemoveArray(ArrayNames::Direction(k).c_str());
-  }
-  for (const std::string& name : NamesOfValues())
-  {
-    attributes->RemoveArray(name.c_str());
-  }
-  attributes->RemoveArray(ArrayNames::Prescribed);
-  attributes->RemoveArray(ArrayNames::SingularityIndex);
-}
-
 }
 
 void AddField(
@@ -68,8 +51,6 @@ void AddField(
 {
   const FramedSurface& on = view.Surface();
   vtkDataSet* const surface = view.Output();
-  RemoveField(surface->GetCellData());
-  RemoveField(surface->GetPointData());
   const TriangleMesh& mesh = on.Geometry.Mesh;
   MakeLines(on, surface, edges, context);
   AddOnEdges(mesh, on.Relation, ArrayNames::Rotation, field.Rotation, edges->GetCellData(), context);

@@ -11,9 +11,8 @@
 namespace dmg
 {
 
-/// Adds the arrays of a field to the output of a view, in place of those that an earlier solver left there, and makes
-/// its first direction the active vectors. Makes \p edges the edges of the surface, with the angle by which the field rotates across
-/// each.
+/// Adds the arrays of a field to the output of a view, and makes its first direction the active vectors. Makes \p edges the edges of
+/// the surface, with the angle by which the field rotates across each.
 /// \param allDirections whether all N directions are added, rather than Direction0 alone.
 void AddField(
   const SurfaceView& view, const Field& field, bool allDirections, vtkPolyData* edges, const ExecutionContext& context);

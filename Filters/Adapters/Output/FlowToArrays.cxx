@@ -160,24 +160,9 @@ void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryPart>& l
   }
 }
 
-/// Takes away what a former decomposition has left, and this one may not make.
-void RemoveFlowArrays(vtkDataSet* surface)
-{
-  for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, SteeringFlow, NormalComponent,
-         Potential, StreamFunction, Divergence, Vorticity })
-  {
-    surface->GetCellData()->RemoveArray(name);
-    surface->GetPointData()->RemoveArray(name);
-  }
-}
-
 /// \param report null: nothing was solved for.
 void AddReport(const DecomposedFlow& parts, const SolveReport* report, vtkFieldData* data)
 {
-  for (const char* const name : { ArrayNames::Solver, ArrayNames::Converged, ArrayNames::SolverBytes })
-  {
-    data->RemoveArray(name);
-  }
   if (!report)
   {
     return;
@@ -284,7 +269,6 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   const StoppingCriteria stop{ 1e-11, 200 };
   const DecomposedFlow parts =
     this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
-  RemoveFlowArrays(output);
   const double scale = options.LengthScale;
   const SidesOfSurface& sides = this->Decomposition->Sides();
   AddPositiveSide(sides.Kinds, output->GetFieldData());
@@ -309,7 +293,6 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
-  output->GetFieldData()->RemoveArray(BoundaryHalfCell);
   if (options.IsOfCentres)
   {
     arrays.AddNumbers(BoundaryHalfCell, scale * HalfCells(on.Mesh, this->Decomposition->Boundaries()));

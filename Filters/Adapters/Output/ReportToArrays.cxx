@@ -49,16 +49,6 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   table->AddColumn(NewArray<vtkIntArray>(ArrayNames::Returned, 1, areReturned));
 }
 
-void RemoveReport(vtkFieldData* fieldData)
-{
-  for (const char* const name :
-    { ArrayNames::Eigenvalues, ArrayNames::HarmonicBasisSize, ArrayNames::GuidesTaken, ArrayNames::GuidesTooFar,
-      ArrayNames::GuidesOnFarSide, ArrayNames::GuidesPerpendicular, ArrayNames::GuidesFarthest })
-  {
-    fieldData->RemoveArray(name);
-  }
-}
-
 void AddFollowed(const std::string& text, vtkFieldData* fieldData)
 {
   AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::Followed, text));

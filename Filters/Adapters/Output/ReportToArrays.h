@@ -14,9 +14,6 @@ namespace dmg
 /// Makes \p table the history of the iterations.
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table);
 
-/// Takes out of \p fieldData what a former solver has reported, and this one may not.
-void RemoveReport(vtkFieldData* fieldData);
-
 /// Adds the words of WhatIsFollowed.
 void AddFollowed(const std::string& text, vtkFieldData* fieldData);
 

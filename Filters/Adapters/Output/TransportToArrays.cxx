@@ -22,20 +22,6 @@ namespace dmg
 
 using namespace ArrayNames;
 
-void RemoveTransportArrays(vtkDataSet* surface)
-{
-  for (const char* const name :
-    { TransportedVectors, GeodesicDistance, GeodesicAngle, ArrayNames::LogarithmicMap, TextureCoordinates })
-  {
-    surface->GetCellData()->RemoveArray(name);
-    surface->GetPointData()->RemoveArray(name);
-  }
-  for (const char* const name : { MapPoint, PointsWithoutSource, PointsWithoutMap })
-  {
-    surface->GetFieldData()->RemoveArray(name);
-  }
-}
-
 void TransportSurface::SetSurface(const std::shared_ptr<const PreparedDataSet>& surface,
   const TransportOptions& options, const ExecutionContext& context)
 {

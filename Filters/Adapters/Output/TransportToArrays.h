@@ -68,9 +68,6 @@ private:
   ParallelTransport::StageCounts OfFormer;    ///< of those before it
 };
 
-/// Takes away what a former execution has left, and this one may not make.
-void RemoveTransportArrays(vtkDataSet* surface);
-
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "Adapters/View/SurfaceView.h"
 
 #include "Adapters/Pipeline/FilterOutputs.h"
+#include "Adapters/Surface/OutputTable.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Flows/FittedDerivatives.h" // For CellCentres
 #include "Mesh/PositiveSide.h"
@@ -110,10 +111,11 @@ VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
   return vectors;
 }
 
-void SurfaceView::StartOutput(vtkDataSet* output)
+void SurfaceView::StartOutput(vtkDataSet* output, const std::string& filter)
 {
   this->OutputData = output;
   output->ShallowCopy(this->GivenData);
+  RemoveOutputs(filter, output);
   AddPreparation(this->Report, this->Options, output->GetFieldData());
   AddPositiveSide(this->Report.Sides, output->GetFieldData());
   for (const auto& step : this->Steps)

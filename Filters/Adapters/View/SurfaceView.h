@@ -73,7 +73,8 @@ public:
   VectorsOnSurface Vectors(const VectorArrays& arrays) const;
 
   /// Makes \p output a copy of the user's dataset, to which arrays are added, and reports there what steps and repair have done.
-  void StartOutput(vtkDataSet* output);
+  /// \param filter the class of the filter, whose arrays (OutputTable) a former execution may have left there: they are not copied.
+  void StartOutput(vtkDataSet* output, const std::string& filter = "");
   vtkDataSet* Output() const { return this->OutputData; }
   /// The arrays of the user's cells and points. \param elsewhere the number where these are no elements of the surface.
   /// \pre StartOutput.
