@@ -225,6 +225,13 @@ void AddOnEdges(const TriangleMesh& mesh, const SurfaceRelation& surface, const 
   data->AddArray(array);
 }
 
+void AddNumber(vtkFieldData* fieldData, const std::string& name, double number)
+{
+  const auto array = NewArray(name, 1, 1);
+  array->SetValue(0, number);
+  fieldData->AddArray(array);
+}
+
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array)
 {
   array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);

@@ -25,6 +25,9 @@ namespace dmg
 /// Its values are to be written.
 vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples);
 
+/// Adds an array of one number.
+void AddNumber(vtkFieldData* fieldData, const std::string& name, double number);
+
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
