@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Output/TransportToArrays.h"
+#include "Adapters/Pipeline/ChosenPoint.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PanelWords.h"
@@ -12,7 +13,6 @@
 #include "Adapters/View/SurfaceView.h"
 #include "Support/Errors.h"
 
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldGlyphs.h"
@@ -24,7 +24,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 vtkStandardNewMacro(vtkParallelTransport);
@@ -32,27 +31,17 @@ vtkStandardNewMacro(vtkParallelTransport);
 class vtkParallelTransport::vtkInternals
 {
 public:
-  dmg::TransportSurface Surface;
-
-  /// The executions of leaves begin and end within that of their composite dataset.
-  void BeginExecution()
+  explicit vtkInternals(vtkParallelTransport* filter)
+    : Point(filter, filter->PointOnSurface)
   {
-    if (this->OpenExecutions++ == 0)
-    {
-      this->Places = 0;
-    }
   }
-  void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
 
   /// Direction at the point of the map, which becomes PointOnSurface in the first leaf.
   dmg::PlacedDirection Place(vtkParallelTransport& filter)
   {
     const auto place = filter.UsePoint ? std::make_optional<dmg::Vector3>(filter.Point) : std::nullopt;
     const dmg::PlacedDirection point = this->Surface.Place(place, dmg::Vector3(filter.Direction));
-    if (this->Places++ == 0)
-    {
-      std::copy_n(point.Position.data(), 3, filter.PointOnSurface);
-    }
+    this->Point.Add(point.Position);
     if (!point.IsGiven)
     {
       dmg::Warn(&filter,
@@ -61,15 +50,14 @@ public:
     return point;
   }
 
+  dmg::TransportSurface Surface;
+
 private:
-  int Places = 0; ///< of maps in this execution: one for each leaf of a composite dataset
-  int OpenExecutions = 0;
+  dmg::ChosenPoint Point;
 };
 
 namespace
 {
-
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The vectors of the chosen arrays that count as sources; none where no array is chosen.
 /// \throw dmg::InvalidInput as dmg::VectorArrays, or none of the vectors counts.
@@ -119,12 +107,9 @@ void DrawArrows(vtkAlgorithm* algorithm, vtkDataSet* surface, double distance, v
 
 //------------------------------------------------------------------------------
 vtkParallelTransport::vtkParallelTransport()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
-  std::fill_n(this->PointOnSurface, 3, NotANumber);
   this->SetNumberOfOutputPorts(3);
-  this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +156,6 @@ int vtkParallelTransport::FillOutputPortInformation(int port, vtkInformation* in
 int vtkParallelTransport::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  std::fill_n(this->PointOnSurface, 3, NotANumber);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 },

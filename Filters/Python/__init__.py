@@ -4,6 +4,7 @@ smooth_field()                        a field by one call, errors as exceptions
 hodge()                               stream function, potential and parts of a flow
 quads()                               a mesh of quads along a cross field
 transport()                           vectors along shortest paths, and polar coordinates around a point
+distance(), shortest_path()           distances along a surface from anything, and shortest paths
 draw_as_ink()                         shows lines and glyphs that lie in a surface, from both sides of it
 update()                              runs any VTK filter, errors as exceptions
 write_rosy(), write_sharp(),
@@ -19,6 +20,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, List
 
 if TYPE_CHECKING:
+    from .distances import distance, shortest_path
     from .drawing import draw_as_ink
     from .export import write_raw_field, write_rosy, write_sharp
     from .fields import FieldError, FieldWarning, smooth_field, update
@@ -27,8 +29,8 @@ if TYPE_CHECKING:
     from .meshes import quads
 
 __all__ = [
-    "FieldError", "FieldWarning", "draw_as_ink", "hodge", "quads", "smooth_field", "transport", "update", "write_raw_field", "write_rosy",
-    "write_sharp", "vtkFiltersDirectionalFields",
+    "FieldError", "FieldWarning", "distance", "draw_as_ink", "hodge", "quads", "shortest_path", "smooth_field", "transport", "update",
+    "write_raw_field", "write_rosy", "write_sharp", "vtkFiltersDirectionalFields",
 ]
 
 
@@ -37,7 +39,8 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    modules = {"draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "transport": "geodesics"}
+    modules = {"distance": "distances", "draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "shortest_path": "distances",
+               "transport": "geodesics"}
     module = "export" if name.startswith("write_") else modules.get(name, "fields")
     return getattr(import_module("." + module, __name__), name)
 

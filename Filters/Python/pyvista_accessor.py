@@ -6,6 +6,7 @@ from typing import Any, Optional
 
 import pyvista
 
+from .distances import Place, distance, shortest_path
 from .drawing import draw_as_ink
 from .export import write_raw_field, write_rosy, write_sharp
 from .fields import DataObjects, Property, _set_properties, smooth_field, update
@@ -36,6 +37,14 @@ class DirectionalAccessor:
     def transport(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with vectors carried along shortest paths; see directionalmultigrid.transport."""
         return transport(self._mesh, vectors, **arguments)
+
+    def distance(self, sources: DataObjects = None, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with distances along it from anything; see directionalmultigrid.distance."""
+        return distance(self._mesh, sources, **arguments)
+
+    def shortest_path(self, a: Place, b: Place, **arguments: Any) -> pyvista.PolyData:
+        """The shortest path over the mesh from a to b; see directionalmultigrid.shortest_path."""
+        return shortest_path(self._mesh, a, b, **arguments)
 
     def add_lines(self, plotter: Any, *, color: Any = "navy", line_width: float = 3, **properties: Property) -> Any:
         """Adds evenly spaced lines along the field of this mesh to a plotter, as ink, which shows from both sides; returns their actor.

@@ -1,12 +1,10 @@
 #include "ColorsAroundZero.h"
 
+#include "NewColors.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <algorithm>
@@ -22,12 +20,6 @@ constexpr int Never = -1; // is when ParaView fits the colours to the range of t
 
 // Half the interval that colours were given here, of the transfer function, which states keep with it. Colours without it are somebody's own.
 constexpr const char* Half = "DirectionalMultigrid.HalfOfInterval";
-
-vtkSMProxy* TransferFunctionOf(const char* array, vtkSMProxy* filter)
-{
-  vtkNew<vtkSMTransferFunctionManager> manager;
-  return manager->GetColorTransferFunction(array, filter->GetSessionProxyManager());
-}
 
 bool HasInterval(vtkSMProxy* function, double half)
 {
@@ -67,9 +59,7 @@ void AfterUpdate(vtkObject* caller, unsigned long, void* data, void*)
 //------------------------------------------------------------------------------
 void SetColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors)
 {
-  const vtkMTimeType before = filter->GetMTime();
-  vtkSMProxy* const function = TransferFunctionOf(colors.Array, filter);
-  if (function->GetProperty("RGBPoints")->GetMTime() > before) // made just now
+  if (vtkSMProxy* const function = NewTransferFunctionOf(colors.Array, filter))
   {
     if (colors.Preset)
     {

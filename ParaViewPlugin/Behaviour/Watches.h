@@ -30,7 +30,7 @@ void WatchGuidesOnce(vtkSMProxy* filter);
 /// deleted are taken out of the inputs of the filter's further ports.
 void WatchDeletedInputs(vtkSMProxy* filter);
 
-/// "ChosenPoint". After an update in which Parallel Transport has chosen the point of its map itself, the property Point, and with it the
+/// "ChosenPoint". After an update in which a filter has chosen its point itself, as that of a logarithmic map, the property Point, and with it the
 /// handle in the view, is at that point and stays there. Whoever sets Point before has chosen.
 void WatchChosenPoint(vtkSMProxy* filter);
 

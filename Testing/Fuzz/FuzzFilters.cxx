@@ -24,6 +24,7 @@
 #include "vtkIntArray.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkSurfaceDistance.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <chrono>
@@ -287,7 +288,7 @@ bool MayBeNaN(const std::string& array)
 {
   static const std::set<std::string> names = { "GeodesicDistance", "GeodesicAngle", "LogarithmicMap",
     "TextureCoordinates", "GradientPart", "RotationalPart", "HarmonicPart", "Residual", "NormalComponent", "Potential",
-    "StreamFunction", "Divergence", "Vorticity" };
+    "StreamFunction", "Divergence", "Vorticity", "Distance", "DirectionFromSource", "PathLength", "StraightLength" };
   return names.count(array) > 0;
 }
 
@@ -433,6 +434,34 @@ void RunWithEdges(Choices& choose, vtkHodgeDecomposition* hodge, vtkPolyData* su
   hodge->SetEdgeArray(choose.OneIn(12) ? "Given" : "OneForm");
   hodge->SetEdgeValues(choose.Below(2));
   Run(hodge, surface);
+}
+
+/// Distances from anything to anything.
+void SetSources(Choices& choose, vtkSurfaceDistance* distance)
+{
+  distance->SetBoundary(choose.OneIn(4));
+  distance->SetSharpEdges(choose.OneIn(4));
+  distance->SetFeatureAngle(1.0 + 100.0 * choose.Unit());
+  distance->SetAddPoint(choose.OneIn(2));
+  distance->SetSigned(choose.OneIn(2));
+  distance->SetMaximumDistance(choose.OneIn(4) ? choose.Unit() : 0.0);
+  distance->SetMaximumSourceDistance(choose.OneIn(4) ? choose.Number() : 10.0);
+  distance->SetNumberOfLevels(choose.Below(10));
+  distance->SetCoordinates(choose.OneIn(8));
+  distance->SetInputArrayToProcess(0, 0, 0, choose.Below(2), choose.OneIn(3) ? "Values" : "");
+  distance->SetInputArrayToProcess(1, 0, 0, choose.Below(2), choose.OneIn(4) ? "Values" : "");
+  if (choose.OneIn(2))
+  {
+    distance->SetPoint(choose.Number(), choose.Number(), choose.Number());
+  }
+  if (choose.OneIn(2))
+  {
+    distance->AddInputDataObject(1, choose.OneIn(2) ? SurfaceOf(choose) : EdgesOf(choose, SurfaceOf(choose)));
+  }
+  if (choose.OneIn(3))
+  {
+    distance->AddInputDataObject(2, SurfaceOf(choose));
+  }
 }
 
 /// The triangles of a surface as strips, beside an array of any length.
@@ -610,6 +639,10 @@ void RunCase(unsigned long long seed, const std::filesystem::path& folder)
   transport->SetTextureSize(choose.OneIn(2) ? choose.Unit() : 0.0);
   transport->SetTimeStep(choose.OneIn(4) ? 100.0 * choose.Unit() : 4.0);
   Draw(choose, { transport }, field);
+  vtkNew<vtkSurfaceDistance> distance;
+  SetSources(choose, distance);
+  distance->SetInputData(field);
+  Run(distance, field);
   RunWithEdges(choose, hodge, field);
   if (choose.OneIn(3))
   {
@@ -617,7 +650,7 @@ void RunCase(unsigned long long seed, const std::filesystem::path& folder)
       ? vtkSmartPointer<vtkDataSet>(DamagedGrid(choose, input))
       : vtkSmartPointer<vtkDataSet>(StripsOf(choose, input));
     for (vtkAlgorithm* const filter :
-      std::initializer_list<vtkAlgorithm*>{ solver, principal, hodge, transport, lines })
+      std::initializer_list<vtkAlgorithm*>{ solver, principal, hodge, transport, distance, lines })
     {
       filter->SetInputDataObject(damaged);
       const Messages messages(filter);

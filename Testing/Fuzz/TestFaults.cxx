@@ -15,6 +15,7 @@
 #include "vtkFieldSingularities.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkSurfaceDistance.h"
 
 #include <SuiteSparse_config.h>
 #include <gtest/gtest.h>
@@ -197,6 +198,11 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
   prolongation->SetMinimumNumberOfFaces(50);
   prolongation->SetInputData(input);
   all.insert(all.end(), { singular, prolongation });
+  const auto distance = vtkSmartPointer<vtkSurfaceDistance>::New();
+  distance->SetInputData(input);
+  distance->AddInputDataObject(1, Given(Torus(12, 8))); // its points, brought to the surface
+  distance->AddInputDataObject(2, Given(Torus(6, 4)));
+  all.push_back(distance);
   const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
     vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),
     vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New(),

@@ -45,9 +45,10 @@ class FirstContact(unittest.TestCase):
         # Ctrl+Space finds filters all of whose words are in their label.
         labels = {proxy.GetXMLLabel().lower() for proxy in (getattr(simple, name)(Input=sphere()).SMProxy for name in (
             "CrossField", "LineField", "VectorField", "FibreOrientation", "FiberOrientation", "DirectionalField", "FieldLines", "QuadRemeshing",
-            "SurfaceStreamlines", "GeodesicDistance", "TextureAroundPoint", "HelmholtzDecomposition", "DivergenceAndVorticity",
+            "SurfaceStreamlines", "GeodesicDistance", "SurfaceDistance", "ShortestPathOnSurface", "OffsetLines", "TextureAroundPoint", "HelmholtzDecomposition", "DivergenceAndVorticity",
             "TensorAndStressDirections"))}
-        words = ("cross field", "line field", "fibre", "fiber", "vector field", "orientation", "quad", "remesh", "stream", "geodesic", "texture",
+        words = ("cross field", "line field", "fibre", "fiber", "vector field", "orientation", "quad", "remesh", "stream", "geodesic", "distance", "surface distance", "shortest path",
+                 "offset", "texture",
                  "helmholtz", "divergence", "vorticity", "tensor", "stress")
         for word in words:
             self.assertTrue(any(all(part in label for part in word.split()) for label in labels), word)

@@ -409,6 +409,26 @@ def check_transport(result):
     assert (np.ptp(image, axis=1) > 60).sum() > 20000  # coloured by the distance
 
 
+def check_distance(result):
+    """The point in front is chosen, and the handle is there; then the arc is the source. Distances are those on the sphere of radius 1/2, and
+    colours show them, with dark lines."""
+    before = read(former(result))
+    places = vtk_to_numpy(before.GetPoints().GetData()).astype(float)
+    state = ElementTree.parse(result.with_suffix(".pvsm"))
+    measured = next(proxy for proxy in state.iter("Proxy") if proxy.get("type") == "SurfaceDistance")
+    start = np.array([float(value_of(measured, "Point", k)) for k in range(3)])
+    assert start[2] > 0.5 - 1e-6, start
+    angle = np.radians(np.linspace(0, 90, 2000))
+    arc = 0.5 * np.stack([np.cos(angle), np.sin(angle), 0.02 + 0 * angle], 1)
+    for data, sources in ((before, start[None]), (read(result), arc / np.linalg.norm(arc, axis=1)[:, None] / 2)):
+        exact = 0.5 * np.arccos(np.clip(4 * (places @ sources.T).max(axis=1), -1, 1))
+        off = np.abs(vtk_to_numpy(data.GetPointData().GetArray("Distance")) - exact)
+        assert off.max() < 0.01, off.max()
+    image = pixels(result).astype(int)
+    assert ((image[:, 1] > image[:, 0] + 40) & (image[:, 2] > image[:, 0] + 20)).sum() > 10000  # far away it is green and blue
+    assert number_of_blue(image) > 300
+
+
 def check_nothing_said(result):
     """The smoothest crosses, then the smoothest lines: four singularities, which the window shows as red spheres, and blue lines."""
     for path, N in ((former(result), 4), (result, 2)):
@@ -592,6 +612,7 @@ TESTS = {"SourcesInTheWindow": (write_sphere, check_sources),
          "StateInTheWindow": (write_sphere, check_state),
          "FlowInTheWindow": (write_flow, check_flow),
          "TransportInTheWindow": (write_sphere, check_transport),
+         "DistanceInTheWindow": (write_guide, check_distance),
          "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}
 
 

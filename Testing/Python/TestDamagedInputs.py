@@ -20,13 +20,14 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from directionalmultigrid import FieldError, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldQuads, vtkFieldSingularities,
-    vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
+    vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkSurfaceDistance)
 from any_surfaces import grid_of_types, points_of, polygons
 from surfaces import add, torus, values
 
 FILTERS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities,
-           vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
-WITHOUT_ARRAYS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections)
+           vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkSurfaceDistance)
+WITHOUT_ARRAYS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections,
+                  vtkSurfaceDistance)
 SQUARE = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
 
 

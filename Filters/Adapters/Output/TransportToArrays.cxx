@@ -92,16 +92,6 @@ PlacedDirection TransportSurface::Place(const std::optional<Vector3>& place, con
   return placed;
 }
 
-namespace
-{
-
-void AddNumber(const char* name, int number, vtkDataSet* output)
-{
-  output->GetFieldData()->AddArray(NewValue<vtkDoubleArray>(name, static_cast<double>(number)));
-}
-
-}
-
 std::vector<std::string> TransportSurface::AddVectors(
   const Constraints& sources, const SurfaceView& view, const ExecutionContext& context)
 {
@@ -111,7 +101,7 @@ std::vector<std::string> TransportSurface::AddVectors(
   view.OfCells(context).AddVectors(TransportedVectors, on.Faces, field.OnFaces);
   view.OfPoints(context).AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
   view.Output()->GetPointData()->SetActiveVectors(TransportedVectors);
-  AddNumber(PointsWithoutSource, field.WithoutSource, view.Output());
+  AddNumber(view.Output()->GetFieldData(), PointsWithoutSource, field.WithoutSource);
   return field.Warnings;
 }
 
@@ -162,8 +152,8 @@ void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, i
   }
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
-  AddNumber(MapPoint, view.Relation().PointOf(from.Vertex), output);
-  AddNumber(PointsWithoutMap, map.Unreached, output);
+  AddNumber(output->GetFieldData(), MapPoint, view.Relation().PointOf(from.Vertex));
+  AddNumber(output->GetFieldData(), PointsWithoutMap, map.Unreached);
   MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
   view.LinesBack(circles);
 }

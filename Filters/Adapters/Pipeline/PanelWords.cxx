@@ -47,6 +47,7 @@ std::string PanelTextOf(Remedy remedy)
     "Rotation and Rotation Array have no effect; add what it shall follow, or set them to 0 and None",
     "Rotation",
     "Maximum Distance",
+    "Maximum Source Distance",
     "Smoothing Length",
     "choose Power Field at Points (PointPowerField) as Discretisation",
     "Guides",

@@ -1,11 +1,20 @@
 #include "Adapters/Surface/ArrayNames.h"
 
+#include <cctype>
+
 namespace dmg
 {
 
 std::string ArrayNames::Direction(int k)
 {
   return "Direction" + std::to_string(k);
+}
+
+std::string ArrayNames::CellsWithout(const std::string& what)
+{
+  std::string name = what;
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  return "CellsWithout" + name;
 }
 
 std::string ArrayNames::HarmonicBasis(int k)

@@ -46,11 +46,25 @@ inline constexpr const char* MapPoint = "MapPoint";
 inline constexpr const char* PointsWithoutSource = "PointsWithoutSource";
 inline constexpr const char* PointsWithoutMap = "PointsWithoutMap";
 
+// points and lines: distances along a surface
+inline constexpr const char* Distance = "Distance";
+inline constexpr const char* NearestSource = "NearestSource";
+inline constexpr const char* DirectionFromSource = "DirectionFromSource";
+
+// field data: the same; columns of the table, and cells of the paths
+inline constexpr const char* SourcesTaken = "SourcesTaken";
+inline constexpr const char* SourcesTooFar = "SourcesTooFar";
+inline constexpr const char* LargestDistance = "LargestDistance";
+inline constexpr const char* DistanceIsSigned = "DistanceIsSigned";
+inline constexpr const char* Target = "Target";
+inline constexpr const char* Source = "Source";
+inline constexpr const char* PathLength = "PathLength";
+inline constexpr const char* StraightLength = "StraightLength";
+
 // field data: a decomposed flow
 inline constexpr const char* FlowEnergies = "FlowEnergies";
 inline constexpr const char* FlowShares = "FlowShares";
 inline constexpr const char* HarmonicCoefficients = "HarmonicCoefficients";
-inline constexpr const char* CellsWithoutFlow = "CellsWithoutFlow";
 inline constexpr const char* BoundaryPoint = "BoundaryPoint";
 inline constexpr const char* BoundaryLength = "BoundaryLength";
 inline constexpr const char* Boundary = "Boundary";
@@ -78,6 +92,8 @@ inline constexpr const char* Energy = "Energy";
 inline constexpr const char* MassResidual = "MassResidual";
 
 // field data: the surface on its way in
+/// \param what as in "flow".
+std::string CellsWithout(const std::string& what);
 inline constexpr const char* SurfacePreparation = "SurfacePreparation";
 inline constexpr const char* SurfaceOptions = "SurfaceOptions";
 inline constexpr const char* PositiveSide = "PositiveSide";

@@ -26,6 +26,11 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   return array;
 }
 
+void AddNumber(vtkFieldData* fieldData, const std::string& name, double number)
+{
+  fieldData->AddArray(NewValue<vtkDoubleArray>(name, number));
+}
+
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array)
 {
   array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);

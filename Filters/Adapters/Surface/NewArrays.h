@@ -38,6 +38,9 @@ vtkSmartPointer<Array> NewValue(const std::string& name, const Value& value)
   return array;
 }
 
+/// Adds an array of one number.
+void AddNumber(vtkFieldData* fieldData, const std::string& name, double number);
+
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 

@@ -114,11 +114,15 @@ FlatMap::FlatMap(vtkDataSet* map)
   points->SetNumberOfPoints(map->GetNumberOfPoints());
   for (vtkIdType point = 0; point < map->GetNumberOfPoints(); ++point)
   {
-    const Vector3 place = PointOf(map, point);
-    points->SetPoint(point, OnUnitSphere(place.x(), std::clamp(place.y(), -90.0, 90.0)).data());
+    points->SetPoint(point, this->PlaceForth(PointOf(map, point)).data());
   }
   globe->SetPoints(points);
   this->Result = globe;
+}
+
+Vector3 FlatMap::PlaceForth(const Vector3& place) const
+{
+  return OnUnitSphere(place.x(), std::clamp(place.y(), -90.0, 90.0));
 }
 
 Vector3 FlatMap::VectorForth(const Vector3& vector, const Vector3& place) const

@@ -15,6 +15,7 @@ public:
   /// \throw InvalidInput a latitude is not between -90 and 90 degrees, or z is not constant.
   explicit FlatMap(vtkDataSet* map);
 
+  Vector3 PlaceForth(const Vector3& place) const override;
   Vector3 VectorForth(const Vector3& vector, const Vector3& place) const override;
   bool IsFromPlane() const override { return true; }
   void ArrayBack(const AddedArray& array, const SurfaceRelation& relation) const override;

@@ -52,12 +52,23 @@ void Erase(vtkDataArray* array, const std::vector<vtkIdType>& tuples)
 }
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what)
+  : HiddenGaps(dataset, vectors.Arrays(), vectors.AreOnPoints(), what)
 {
-  const std::vector<vtkDataArray*> arrays = vectors.Arrays();
-  const std::vector<char> isNaN =
-    TuplesWith([](double x) { return std::isnan(x); }, arrays, vectors.NumberOfTuples(dataset));
+}
+
+HiddenGaps::HiddenGaps(vtkDataSet* dataset, const ChosenArray& numbers, const std::string& what)
+  : HiddenGaps(dataset, std::vector<vtkDataArray*>{ numbers.Array }, numbers.OnPoints(), what)
+{
+}
+
+HiddenGaps::HiddenGaps(
+  vtkDataSet* dataset, const std::vector<vtkDataArray*>& arrays, bool areOnPoints, const std::string& what)
+  : What(what)
+{
+  const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, arrays,
+    areOnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
   this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
-  const std::vector<char> isHidden = vectors.AreOnPoints() ? CellsWith(isNaN, dataset) : isNaN;
+  const std::vector<char> isHidden = areOnPoints ? CellsWith(isNaN, dataset) : isNaN;
   for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
   {
     if (isHidden[cell])
@@ -93,8 +104,7 @@ void HiddenGaps::ArrayBack(const AddedArray& added, const SurfaceRelation& relat
 
 void HiddenGaps::Report(vtkFieldData* fieldData) const
 {
-  const auto number = static_cast<double>(this->Cells.size());
-  fieldData->AddArray(NewValue<vtkDoubleArray>(ArrayNames::CellsWithoutFlow, number));
+  AddNumber(fieldData, ArrayNames::CellsWithout(this->What), static_cast<double>(this->Cells.size()));
 }
 
 }

@@ -10,14 +10,17 @@
 namespace dmg
 {
 
-/// Hides the cells where vectors are not known, as on land: those with a number that is NaN, or with such a point. On the way back, arrays are
-/// NaN on these cells and on those of their points that are not of the surface. Field data tell their number (CellsWithoutFlow).
+/// Hides the cells where numbers or vectors are not known, as on land: those with a number that is NaN, or with such a point. On the way
+/// back, arrays are NaN on these cells and on those of their points that are not of the surface. Field data tell their number, as in
+/// CellsWithoutFlow.
 class HiddenGaps : public SurfaceStep
 {
 public:
   /// \param vectors of the dataset. \param what their name in messages, as in "flow".
   /// \throw InvalidInput all cells would be hidden; as SuspectedFillValues.
   HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what);
+  /// The same for an array that FindArray has found.
+  HiddenGaps(vtkDataSet* dataset, const ChosenArray& numbers, const std::string& what);
 
   void ArrayBack(const AddedArray& array, const SurfaceRelation& relation) const override;
   void Report(vtkFieldData* fieldData) const override;
@@ -25,8 +28,10 @@ public:
   std::string Warning(const TriangleMesh&) const override { return this->Suspicion; }
 
 private:
+  HiddenGaps(vtkDataSet* dataset, const std::vector<vtkDataArray*>& arrays, bool areOnPoints, const std::string& what);
   std::vector<vtkIdType> PointsBeside(const SurfaceRelation& relation) const;
 
+  const std::string What;
   std::vector<vtkIdType> Cells; ///< that are hidden
   std::string Suspicion;
 };

@@ -27,6 +27,8 @@ public:
   /// The dataset after the step; the one before it where nothing changes.
   vtkDataSet* Data() const { return this->Result; }
 
+  /// A place of the user in the coordinates of the surface.
+  virtual Vector3 PlaceForth(const Vector3& place) const { return place; }
   /// A vector of the user in the coordinates of the surface. \param place on the surface.
   virtual Vector3 VectorForth(const Vector3& vector, const Vector3& /*place*/) const { return vector; }
   /// Whether the user's vectors have no direction at a place of the surface, as eastward and northward ones at a pole.

@@ -50,6 +50,15 @@ void SurfaceView::Prepare(
   this->Report = report;
 }
 
+Vector3 SurfaceView::PlaceForth(Vector3 place) const
+{
+  for (const auto& step : this->Steps)
+  {
+    place = step->PlaceForth(place);
+  }
+  return place;
+}
+
 Vector3 SurfaceView::VectorForth(const VectorArrays& arrays, vtkIdType tuple, const Vector3& place) const
 {
   Vector3 vector = arrays.At(tuple, place);

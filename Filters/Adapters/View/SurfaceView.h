@@ -67,6 +67,9 @@ public:
   /// The surface, to be kept. \pre it was prepared here.
   const std::shared_ptr<const PreparedDataSet>& Prepared() const { return this->Kept; }
 
+  /// A place in the user's coordinates, as one of another dataset, in those of the surface.
+  Vector3 PlaceForth(Vector3 place) const;
+
   /// The vectors of arrays of the user's dataset. At a pole they are the mean of the neighbours. Where points of several vectors were joined, the
   /// corners of each face have those of its own cell, and the vertex has their mean.
   /// \throw WrongChoice vectors of 2 numbers, and the surface is not in a plane of constant z; components, and it is.

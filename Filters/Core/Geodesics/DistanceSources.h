@@ -31,6 +31,8 @@ struct DistanceOptions
   bool Signed = false;
   /// Points and lines that are farther from the surface are left out; relative to the diagonal of its bounding box.
   double MaximumSourceDistance = 0.1;
+  /// Whether all sources may be too far, or none of the surface, so that no distance is known. Else that is an error.
+  bool MayMiss = false;
   /// Places to which paths are asked for; brought to the surface as points.
   std::vector<Vector3> Targets = {};
 };

@@ -237,7 +237,7 @@ bool PlacedSources::AddPart(const SegmentPart& part, const Line& line, End& end)
   const auto add = [&](const Vector3& position)
   {
     const Vector3 place = ClosestOnFace(this->Surface.Mesh, part.Face, position).Position;
-    return this->Split.AddPoint(part.Face, place, SplitSurface::SnapOfLines);
+    return this->Split.AddPoint(part.Face, place);
   };
   const int start = add(part.Start);
   const int last = add(part.End);

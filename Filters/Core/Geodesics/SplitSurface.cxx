@@ -76,10 +76,10 @@ double SplitSurface::SizeOf(int face) const
   return longest;
 }
 
-int SplitSurface::AddPoint(int face, const Vector3& place, double relativeSnap)
+int SplitSurface::AddPoint(int face, const Vector3& place)
 {
   const Complex point = this->InPlane(face, place);
-  const double snap = relativeSnap * this->SizeOf(face);
+  const double snap = Snap * this->SizeOf(face);
   const std::vector<int> parts = this->PartsOf(face);
   for (const int part : parts)
   {
@@ -249,7 +249,7 @@ bool SplitSurface::AddLine(int from, int face, int to, int nextFace, const Line&
       const double unfolded =
         far > 0.0 ? (partOfFrom * farTo + partOfTo * farFrom) / far : 0.5 * (partOfFrom + partOfTo);
       const double part = std::clamp(unfolded, 0.0, 1.0);
-      const int middle = this->AddPoint(face, tail + part * along, SnapOfLines);
+      const int middle = this->AddPoint(face, tail + part * along);
       return this->Cut(from, middle, face, line) && this->Cut(middle, to, nextFace, line);
     }
   }
@@ -294,7 +294,7 @@ bool SplitSurface::Cut(int from, int to, int face, const Line& line)
 int SplitSurface::GoOn(int from, int to, int face)
 {
   const Complex start = this->InPlane(face, from), way = this->InPlane(face, to) - start;
-  const double snap = SnapOfLines * this->SizeOf(face) * std::abs(way);
+  const double snap = Snap * this->SizeOf(face) * std::abs(way);
   const auto isOnLine = [&](int vertex)
   {
     const Complex place = this->InPlane(face, vertex) - start;

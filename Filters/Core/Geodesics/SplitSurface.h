@@ -18,18 +18,17 @@ namespace dmg
 class SplitSurface
 {
 public:
-  static constexpr double SnapOfPoints = 1e-8;
-  static constexpr double SnapOfLines = 1e-5;
+  /// Places that are nearer to a vertex or an edge move there, relative to the longest side of the face. Very short edges would cost digits of
+  /// directions, and places that are given in single precision lie beside their vertex.
+  static constexpr double Snap = 1e-5;
 
   /// Borrows the surface. Cost: O(#F).
   explicit SplitSurface(const FramedMesh& surface);
 
   /// \param place on the face.
-  /// \param snap places that are nearer to a vertex or an edge move there, relative to the longest side of the face. Very short edges
-  ///   would cost digits.
   /// \return the vertex there.
   /// Cost: linear in the number of parts that the face has.
-  int AddPoint(int face, const Vector3& place, double snap = SnapOfPoints);
+  int AddPoint(int face, const Vector3& place);
 
   /// The side of a line that is inside.
   enum class InsideOfLine

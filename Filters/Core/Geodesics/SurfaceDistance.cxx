@@ -58,10 +58,11 @@ public:
       this->Result.Warnings.push_back("lines have " + std::to_string(placed.Interrupted) +
         " gaps where they leap from one part of the surface to another; draw them nearer to it, with more points");
     }
-    if (starts.empty())
+    if (starts.empty() && !options.MayMiss)
     {
       throw InvalidInput(placed.TooFar > 0
-          ? "all sources are too far from the surface; move them nearer, or raise " + TextOf(Remedy::MaximumDistance)
+          ? "all sources are too far from the surface; move them nearer, or raise " +
+            TextOf(Remedy::MaximumSourceDistance)
           : std::string("there is no source of distances; give a point, a line, a region or the boundary"));
     }
     this->Paths = FindShortestPaths(*this->Delaunay, starts, options.MaximumDistance, PartOfContext(context, 0.6, 1.0));
@@ -77,6 +78,12 @@ public:
   }
   double Sign(int vertex) const { return this->Signs ? (*this->Signs)[vertex] : 1.0; }
 
+  /// \pre it is reached.
+  double DistanceAt(int vertex) const
+  {
+    return this->Paths[vertex].IsAtSource() ? 0.0 : this->Sign(vertex) * this->Paths[vertex].Length;
+  }
+
   SurfacePath PathTo(int target, const ExecutionContext& context) const
   {
     SurfacePath path;
@@ -89,6 +96,7 @@ public:
     MakeShortest(edges, flipped, context);
     path.Length = edges.Length(flipped);
     path.Source = this->Paths[target].Source;
+    path.Distance = this->DistanceAt(target);
     path.Points = TracePath(edges, target, flipped, this->On(), *this->Connection);
     return path;
   }
@@ -106,7 +114,7 @@ public:
 private:
   void SetSigns(const PlacedSources& placed, const DistanceOptions& options)
   {
-    if (!options.Signed)
+    if (!options.Signed || placed.Taken == 0)
     {
       return;
     }
@@ -137,7 +145,7 @@ private:
         ++this->Result.Unreached;
         continue;
       }
-      this->Result.Distances[vertex] = path.IsAtSource() ? 0.0 : this->Sign(vertex) * path.Length;
+      this->Result.Distances[vertex] = this->DistanceAt(vertex);
       this->Result.Sources[vertex] = path.Source;
       this->Result.Largest = std::max(this->Result.Largest, path.Length);
       if (!path.IsAtSource())

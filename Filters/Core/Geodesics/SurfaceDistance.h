@@ -35,6 +35,8 @@ struct SurfacePath
 {
   std::vector<Vector3> Points; ///< on edges of the surface, from the source to the target; none where no path leads
   double Length = std::numeric_limits<double>::infinity();
+  /// That of the field at the target, with its sign: the same as the length, but for errors of both. NaN where no path leads.
+  double Distance = std::numeric_limits<double>::quiet_NaN();
   int Source = -1;
 };
 
@@ -56,7 +58,7 @@ class SurfaceDistance
 {
 public:
   /// \param surface is borrowed.
-  /// \throw InvalidInput there is no source, or all are too far away; a number is not finite or of no element.
+  /// \throw InvalidInput there is no source, or all are too far away and may not be; a number is not finite or of no element.
   /// \throw Cancelled
   SurfaceDistance(const FramedMesh& surface, const DistanceSources& sources, const DistanceOptions& options = {},
     const ExecutionContext& context = SerialContext());

@@ -18,6 +18,7 @@ std::string TextOf(Remedy remedy)
     "FieldProblem::Rotation has no effect; add what it shall follow, or set it to 0",
     "FieldProblem::Rotation",
     "Guides::MaximumDistance",
+    "DistanceOptions::MaximumSourceDistance",
     "FieldProblem::SmoothingLength",
     "take VertexPowerField as DiscretisationOptions::Kind",
     "FieldProblem::Guides",

@@ -20,6 +20,7 @@ enum class Remedy
   RotationOfNothing,
   Rotation,
   MaximumDistance,
+  MaximumSourceDistance,
   SmoothingLength,
   FieldAtPoints,
   Guides,

@@ -238,6 +238,34 @@ def check_carried(result):
     assert np.ptp(lengths) < 1e-6 * lengths.max() and np.abs((vectors * normals(data)).sum(1)).max() < 1e-6
 
 
+def check_offset_lines(result):
+    """The ends of lines are as far as they say from the stroke: no nearer than through space, and lines are apart by the step of 0.1."""
+    measured, stroke = result
+    lines = simple.servermanager.Fetch(measured, idx=1)
+    at, from_ = (vtk_to_numpy(data.GetPoints().GetData()).astype(float) for data in (lines, fetch(stroke)))
+    distance = vtk_to_numpy(lines.GetPointData().GetArray("Distance"))
+    straight = np.linalg.norm(at[:, None] - from_[None], axis=2).min(axis=1)
+    assert len(np.unique(np.round(distance, 9))) > 20
+    assert (distance > straight - 0.05).all() and (distance[distance < 0.25] < straight[distance < 0.25] + 0.08).all()
+
+
+def check_paths(result):
+    """Each path is as long as its polyline and as the distance, and starts at the nearest place; cells are those of the nearest one."""
+    measured, places = result
+    paths = simple.servermanager.Fetch(measured, idx=2)
+    arrays = {name: cells(paths, name) for name in ("PathLength", "Distance", "StraightLength", "Source")}
+    at = vtk_to_numpy(paths.GetPoints().GetData()).astype(float)
+    ends = vtk_to_numpy(paths.GetLines().GetOffsetsArray())
+    steps = np.linalg.norm(np.diff(at, axis=0), axis=1)
+    lengths = np.array([steps[a:b - 1].sum() for a, b in zip(ends[:-1], ends[1:])])
+    assert len(lengths) > 140 and np.abs(lengths / arrays["PathLength"] - 1).max() < 1e-5
+    assert np.abs(arrays["PathLength"] / arrays["Distance"] - 1).max() < 0.005
+    assert (arrays["StraightLength"] <= arrays["PathLength"] + 1e-6).all()
+    off = np.linalg.norm(at[ends[:-1]] - np.array(places)[arrays["Source"].astype(int)], axis=1)
+    assert off.max() < 0.25  # places are brought to the surface
+    assert set(vtk_to_numpy(fetch(measured).GetPointData().GetArray("NearestSource"))) == set(range(len(places)))
+
+
 def sides_of_quads(mesh):
     """The directed edges of a mesh of quads alone, each of which is there once; in four columns, a row per quad."""
     assert mesh.GetPolys().IsHomogeneous() == 4 and mesh.GetNumberOfCells() == mesh.GetPolys().GetNumberOfCells()

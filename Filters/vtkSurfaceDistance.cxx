@@ -1,0 +1,239 @@
+#include "vtkSurfaceDistance.h"
+
+#include "Adapters/Input/DistanceInputs.h"
+#include "Adapters/Input/GuidesFromDataSets.h"
+#include "Adapters/Output/DistanceToArrays.h"
+#include "Adapters/Pipeline/ChosenPoint.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/FlatMap.h"
+#include "Adapters/View/GlobeLayout.h"
+#include "Adapters/View/HiddenGaps.h"
+#include "Adapters/View/SurfaceView.h"
+#include "Geodesics/SurfaceDistance.h"
+#include "Geodesics/VertexInFront.h"
+
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkSurfaceDistance);
+
+class vtkSurfaceDistance::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkSurfaceDistance* filter)
+    : Filter(filter)
+    , Point(filter, filter->PointOnSurface)
+  {
+  }
+
+  void CheckProperties() const
+  {
+    const vtkSurfaceDistance& filter = *this->Filter;
+    dmg::CheckRanges({ { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
+      { "Feature Angle", filter.FeatureAngle, 0.001, 180 }, { "Maximum Distance", filter.MaximumDistance, 0 },
+      { "Maximum Source Distance", filter.MaximumSourceDistance, 0 },
+      { "Number Of Levels", filter.NumberOfLevels, 0, 1000 }, { "Length Scale", filter.LengthScale, 1e-30, 1e30 } });
+  }
+
+  dmg::DistanceOptions Options(std::vector<dmg::Vector3> targets) const
+  {
+    dmg::DistanceOptions options;
+    if (this->Filter->MaximumDistance > 0.0)
+    {
+      options.MaximumDistance = this->Filter->MaximumDistance / this->Filter->LengthScale;
+    }
+    options.Signed = this->Filter->Signed;
+    options.MaximumSourceDistance = this->Filter->MaximumSourceDistance;
+    options.MayMiss = this->Point.IsInLeaf();
+    options.Targets = std::move(targets);
+    return options;
+  }
+
+  dmg::DistanceSources Sources(vtkInformationVector* port, const dmg::SurfaceView& view)
+  {
+    const std::vector<vtkDataObject*> datasets = dmg::DataOf(port);
+    dmg::DistanceSources sources;
+    dmg::AddSourcesFrom(datasets, view, sources);
+    const bool isMasked = dmg::AddMaskedSources(dmg::ChoiceOf(this->Filter, 0), view, sources);
+    sources.Boundary = this->Filter->Boundary;
+    sources.FeatureAngle = this->Filter->SharpEdges ? this->Filter->FeatureAngle : 0.0;
+    const bool areAsked = !datasets.empty() || isMasked || this->Filter->Boundary || this->Filter->SharpEdges;
+    if (this->Filter->UsePoint && (this->Filter->AddPoint || !areAsked))
+    {
+      dmg::AddNearestSource(dmg::Vector3(this->Filter->Point), view, sources);
+    }
+    else if (this->Filter->AddPoint || !areAsked)
+    {
+      dmg::Vector3 position;
+      view.Given()->GetPoint(view.Relation().PointOf(dmg::VertexInFront(view.Mesh())), position.data());
+      dmg::AddNearestSource(position, view, sources);
+      this->Point.Add(position);
+    }
+    return sources;
+  }
+
+  void WarnOf(const dmg::DistanceField& field) const
+  {
+    dmg::Warn(this->Filter, field.Warnings);
+    if (field.TooFar > 0)
+    {
+      dmg::Warn(this->Filter,
+        { std::to_string(field.TooFar) +
+          " points, or segments of lines, of Sources are left out: they are too far from the surface, or on the far "
+          "side of a thin wall; move them nearer, or raise Maximum Source Distance" });
+    }
+  }
+
+private:
+  vtkSurfaceDistance* const Filter;
+  dmg::ChosenPoint Point;
+};
+
+//------------------------------------------------------------------------------
+vtkSurfaceDistance::vtkSurfaceDistance()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceDistance::~vtkSurfaceDistance() = default;
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDistance::SetPoint(double x, double y, double z)
+{
+  this->SetPointOfPanel(x, y, z);
+  this->UsePointOn();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDistance::SetPointOfPanel(double x, double y, double z)
+{
+  const double point[] = { x, y, z };
+  if (!std::equal(point, point + 3, this->Point))
+  {
+    std::copy_n(point, 3, this->Point);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDistance::AddOffsetDistance(double distance)
+{
+  this->OffsetDistances.push_back(distance);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDistance::RemoveAllOffsetDistances()
+{
+  if (!this->OffsetDistances.empty())
+  {
+    this->OffsetDistances.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkSurfaceDistance::GetOffsetDistance(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfOffsetDistances() ? this->OffsetDistances[index]
+                                                                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceDistance::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, information);
+  }
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  information->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  const char* const types[] = { "vtkDataSet", "vtkPolyData", "vtkPolyData", "vtkTable" };
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceDistance::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
+  {
+    this->Internals->CheckProperties();
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    const dmg::ChosenArray gaps = dmg::FindArray(dmg::ChoiceOf(this, 1), view.Given(), 1, "gaps", "the surface");
+    const bool isMap = this->Coordinates == LongitudeAndLatitude;
+    view.TakeIf<dmg::FlatMap>(isMap);
+    view.TakeIf<dmg::GlobeLayout>(isMap, dmg::Vector3::UnitZ());
+    view.TakeIf<dmg::HiddenGaps>(gaps.Array != nullptr, gaps, "data"); // last: twins of gaps are gaps
+    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
+    dmg::WarnOfPreparation(this, view.Repair());
+
+    const dmg::DistanceSources sources = this->Internals->Sources(whole[1], view);
+    const dmg::DistanceOptions options = this->Internals->Options(dmg::TargetsFrom(dmg::DataOf(whole[2]), view));
+    const dmg::SurfaceDistance distance(
+      view.Surface().Geometry, sources, options, dmg::PartOfContext(context, 0.1, 0.6));
+    this->Internals->WarnOf(distance.Field());
+
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
+    const auto output = [&](double from, double to)
+    { return dmg::DistanceOutput(distance, this->LengthScale, view, dmg::PartOfContext(context, from, to)); };
+    output(0.6, 0.65).AddArrays();
+    output(0.65, 0.7).MakeOffsetLines(
+      this->OffsetDistances, this->NumberOfLevels, vtkPolyData::GetData(outputVector, 1));
+    output(0.7, 1.0).MakePaths(static_cast<int>(options.Targets.size()), vtkPolyData::GetData(outputVector, 2),
+      vtkTable::GetData(outputVector, 3));
+    dmg::Warn(this, view.Warnings());
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto onOrOff = [](bool is) { return is ? "On" : "Off"; };
+  os << indent << "Boundary: " << onOrOff(this->Boundary) << "\n";
+  os << indent << "SharpEdges: " << onOrOff(this->SharpEdges) << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n";
+  os << indent << "UsePoint: " << onOrOff(this->UsePoint) << "\n";
+  os << indent << "PointOnSurface: " << this->PointOnSurface[0] << " " << this->PointOnSurface[1] << " "
+     << this->PointOnSurface[2] << "\n";
+  os << indent << "AddPoint: " << onOrOff(this->AddPoint) << "\n";
+  os << indent << "Signed: " << onOrOff(this->Signed) << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "MaximumSourceDistance: " << this->MaximumSourceDistance << "\n";
+  os << indent << "OffsetDistances:";
+  for (const double distance : this->OffsetDistances)
+  {
+    os << " " << distance;
+  }
+  os << "\n" << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
+  os << indent << "LengthScale: " << this->LengthScale << "\n";
+}
