@@ -125,6 +125,7 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("IrregularWithoutSingularity", report.IrregularWithoutSingularity);
   add("FlippedTriangles", report.FlippedFaces);
   add("InvertedQuads", report.InvertedQuads);
+  add("EdgesAgainstField", static_cast<int>(report.AgainstField.size()));
   add("EulerCharacteristicOfSurface", report.EulerOfSurface);
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));

@@ -87,6 +87,14 @@ std::string OfSizes(const QuadReport& report)
       ", as a field that was made for equal sizes allows";
 }
 
+std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
+{
+  return report.AgainstField.empty() ? std::string()
+                                     : "quads follow " + std::to_string(report.AgainstField.size()) +
+      " edges of the boundary that are off the field by more than " + ShortText(options.LargestDeviation) +
+      " degrees; to keep the field, switch Align Boundary off";
+}
+
 std::string OfInversion(const QuadReport& report)
 {
   return report.InvertedQuads > 0 ? std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian"
@@ -99,7 +107,8 @@ std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& opt
 {
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
-    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfInversion(mesh.Report) };
+    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfDeviation(mesh.Report, options),
+    OfInversion(mesh.Report) };
 }
 
 }
