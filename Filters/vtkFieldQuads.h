@@ -22,12 +22,14 @@
  *
  * @section vtkFieldQuads-Outputs Outputs
  *
- * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell
- * below it. Besides,
+ * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and those of integers and of texts, which are
+ * labels, are taken from the nearest point; a quad has the arrays of a cell below it. Active arrays stay active: texture coordinates, scalars,
+ * vectors, tensors, and normals, which are unit vectors. Global ids and ghosts are left out. A quad across the seam of a texture has
+ * coordinates from both of its sides. Besides,
  *
  * | array          | of     | components | type   | meaning                                                         |
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
- * | Normals        | points | 3          | double | of the surface, unit; the active normals                        |
+ * | Normals        | points | 3          | double | of the surface, unit; active where the surface has none         |
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, < 0 if inverted    |
  *

@@ -1,8 +1,7 @@
 #include "Adapters/Output/QuadsToPolyData.h"
 
-#include "Adapters/Data/ShortArrays.h"
+#include "Adapters/Output/CarriedArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
-#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
 
@@ -48,47 +47,10 @@ vtkSmartPointer<vtkIntArray> NewIntegers(const char* name, vtkIdType tuples)
   return array;
 }
 
-/// The arrays of the surface, but for those that are too short.
-template <class Attributes>
-vtkSmartPointer<Attributes> ArraysOf(Attributes* given, vtkIdType elements)
-{
-  const auto arrays = vtk::TakeSmartPointer(given->NewInstance());
-  arrays->ShallowCopy(given);
-  RemoveShortArrays(arrays, elements);
-  return arrays;
-}
-
-/// Arrays of the surface that have no meaning on another mesh are left out: ghosts, numbers, normals and texture coordinates.
-template <class Attributes>
-void LeaveOut(Attributes* attributes)
-{
-  attributes->CopyAllOn();
-  attributes->CopyNormalsOff();
-  attributes->CopyTCoordsOff();
-  attributes->CopyGlobalIdsOff();
-  attributes->CopyPedigreeIdsOff();
-  attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-}
-
-/// Interpolates the arrays of points at a place of the surface.
-void InterpolateAt(const SurfaceView& view, SurfacePlace place, vtkPointData* from, vtkIdType point, vtkPointData* to)
-{
-  vtkNew<vtkIdList> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners->InsertNextId(view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
-  }
-  to->InterpolatePoint(from, point, corners, place.Weights.data());
-}
-
-void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
+void CarryPoints(const QuadMesh& quads, const SurfaceView& view, vtkPointData* to)
 {
   const vtkIdType size = quads.Positions.rows();
-  const auto from = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
-  vtkPointData* const to = output->GetPointData();
-  LeaveOut(to);
-  to->InterpolateAllocate(from, size);
-  AllowAnyNumber(to);
+  CarriedPoints carried(view, to, size);
   const auto normals = NewArray("Normals", 3, size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
@@ -99,11 +61,19 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
       const int corner = view.Mesh().Tail(3 * place.Face + k);
       normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
     }
-    InterpolateAt(view, place, from, vertex, to);
+    carried.Set(vertex, place);
     normals->SetTuple(vertex,
       (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
   }
-  to->SetNormals(normals);
+  carried.Finish();
+  if (!to->GetNormals())
+  {
+    to->SetNormals(normals);
+  }
+  else if (!to->HasArray("Normals"))
+  {
+    to->AddArray(normals);
+  }
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
@@ -160,10 +130,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
   const auto jacobians = NewArray("ScaledJacobian", 1, size);
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
-  LeaveOut(ofCells);
-  ofCells->CopyAllocate(givenToCells, size);
-  AllowAnyNumber(ofCells);
+  const auto givenToCells = StartCarryingCells(view, ofCells, size);
   for (vtkIdType quad = 0; quad < size; ++quad)
   {
     const auto& corners = quads.Quads[quad];
@@ -173,7 +140,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
   }
   output->SetPoints(points);
   output->SetPolys(cells);
-  InterpolatePoints(quads, view, output);
+  CarryPoints(quads, view, output->GetPointData());
   output->GetPointData()->AddArray(irregular);
   ofCells->AddArray(jacobians);
   AddReport(quads.Report, output->GetFieldData());
@@ -186,10 +153,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   std::vector<int> halfedges;                                           // one for each of these
   vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
-  LeaveOut(ofCells);
-  ofCells->CopyAllocate(givenToCells, mesh.NumberOfFaces());
-  AllowAnyNumber(ofCells);
+  const auto givenToCells = StartCarryingCells(view, ofCells, mesh.NumberOfFaces());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     std::array<vtkIdType, 3> corners{};
@@ -211,16 +175,13 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   const auto points = NewPoints(size);
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
-  const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
-  LeaveOut(ofPoints);
-  ofPoints->InterpolateAllocate(givenToPoints, size);
-  AllowAnyNumber(ofPoints);
+  CarriedPoints carried(view, ofPoints, size);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
     const SurfacePlace place = quads.Finer ? quads.Finer->InParent(AtTail(h)) : AtTail(h);
     points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    InterpolateAt(view, place, givenToPoints, point, ofPoints);
+    carried.Set(point, place);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));
@@ -228,6 +189,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   }
   output->SetPoints(points);
   output->SetPolys(cells);
+  carried.Finish();
   ofPoints->SetTCoords(coordinates);
 }
 

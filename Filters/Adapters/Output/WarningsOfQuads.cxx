@@ -11,23 +11,32 @@ namespace dmg
 namespace
 {
 
-/// The number of quads, where it is not the one that was asked for.
+/// Why quads are other than asked for.
+std::string ReasonOf(const QuadReport& report, bool areMany)
+{
+  return report.SplitFaces > 0     ? "triangles were split"
+    : report.IsShortened           ? "larger ones do not fit a handle, a hole or a component"
+    : !report.RefinedFaces.empty() ? "larger ones would lose parts of the surface"
+    : areMany                      ? "each component, singularity and aligned line takes some"
+                                   : "singularities and aligned lines leave no room for more";
+}
+
+/// The number of quads or the length of their edges, where it is not the one that was asked for.
 std::string OfNumber(const QuadMesh& mesh, const QuadOptions& options)
 {
   constexpr double Tolerance = 0.1;
-  const double made = static_cast<double>(mesh.Quads.size());
-  if (options.EdgeLength > 0.0 || std::abs(made / options.NumberOfQuads - 1.0) <= Tolerance)
+  const double made = static_cast<double>(mesh.Quads.size()), length = mesh.Report.MeanLength;
+  if (options.EdgeLength > 0.0)
   {
-    return {};
+    return std::abs(length / options.EdgeLength - 1.0) <= Tolerance
+      ? std::string()
+      : "edges of quads are " + ShortText(length) + " long on average rather than " + ShortText(options.EdgeLength) +
+        ", as " + ReasonOf(mesh.Report, length < options.EdgeLength);
   }
-  const QuadReport& report = mesh.Report;
-  const std::string reason = report.SplitFaces > 0 ? "triangles were split"
-    : report.IsShortened                           ? "larger ones do not fit a handle, a hole or a component"
-    : !report.RefinedFaces.empty()                 ? "larger ones would lose parts of the surface"
-    : made > options.NumberOfQuads                 ? "each component, singularity and aligned line takes some"
-                                                   : "singularities and aligned lines leave no room for more";
-  return "there are " + std::to_string(mesh.Quads.size()) + " quads rather than " + ShortText(options.NumberOfQuads) +
-    ", as " + reason;
+  return std::abs(made / options.NumberOfQuads - 1.0) <= Tolerance
+    ? std::string()
+    : "there are " + std::to_string(mesh.Quads.size()) + " quads rather than " + ShortText(options.NumberOfQuads) +
+      ", as " + ReasonOf(mesh.Report, made > options.NumberOfQuads);
 }
 
 std::string OfRefinement(const QuadReport& report)

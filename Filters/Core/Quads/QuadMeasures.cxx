@@ -131,6 +131,7 @@ void MeasureQuads(
   const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context)
 {
   const Vector<double> areas = AreasOfQuads(mesh.Quads, mesh.Positions);
+  mesh.Report.MeanLength = areas.size() > 0 ? std::sqrt(areas.mean()) : 0.0;
   MeasureShapes(rounds, topology, mesh);
   MeasureAreas(rounds, areas, mesh);
   MeasureSizes(rounds, areas, mesh);

@@ -34,6 +34,7 @@ struct QuadDistances
 struct QuadReport
 {
   double LengthOfEdges = 0.0;          ///< that was aimed at, before local refinement
+  double MeanLength = 0.0;             ///< the side of a square of the mean area of the quads
   int Singularities = 0;               ///< of the field, after splitting
   int SplitSingularities = 0;          ///< of an index of 1/2 or more that were split
   int IrregularVertices = 0;           ///< inner vertices that have not four quads
