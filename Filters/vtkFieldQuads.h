@@ -22,19 +22,21 @@
  *
  * @section vtkFieldQuads-Outputs Outputs
  *
- * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell
- * below it. It has no normals, as points at sharp edges have several: quads are shaded as flat, and vtkPolyDataNormals with Splitting on
- * makes normals, which doubles these points. Besides,
+ * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and those of integers and of texts, which are
+ * labels, are taken from the nearest point; a quad has the arrays of a cell below it. Active arrays stay active: texture coordinates, scalars,
+ * vectors, tensors, and normals, which are unit vectors. Global ids and ghosts are left out. A quad across the seam of a texture has
+ * coordinates from both of its sides. Where the surface has no normals, the quads have none, as points at sharp edges have several: quads are
+ * shaded as flat, and vtkPolyDataNormals with Splitting on makes normals, which doubles these points. Besides,
  *
  * | array          | of     | components | type   | meaning                                                         |
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
- * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, <= 0 if inverted   |
+ * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, < 0 if inverted    |
  *
  * The field data say, of distances: DistanceFromQuads of the surface, largest and mean; FarthestPlace, where it is largest; and
  * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and
  * RatioOfSizes the largest over the smallest length of edges, asked for and reached. An int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
- * of the map, InvertedQuads, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
+ * of the map, InvertedQuads, EdgesAgainstField of the boundary that edges of quads follow though the field does not, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
  * components that no other quads fit.
  *
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges

@@ -105,6 +105,40 @@ class Quads(unittest.TestCase):
         with self.assertRaisesRegex(FieldError, "6 directions"):
             quads(smooth_field(sphere(), n=6), 500)
 
+    def test_labels_are_those_of_the_nearest_point_and_numbers_are_interpolated(self):
+        mesh = sphere()
+        z = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2].astype(float)
+        for name, values in (("Group", np.where(z > 0, 10, 0).astype(np.int32)), ("Height", z)):
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            mesh.GetPointData().AddArray(array)
+        result = quads(mesh, 500)
+        group, height = [vtk_to_numpy(result.GetPointData().GetArray(name)) for name in ("Group", "Height")]
+        self.assertEqual(set(group), {0, 10})
+        place = vtk_to_numpy(result.GetPoints().GetData())[:, 2]
+        np.testing.assert_allclose(height, place, atol=1e-6)
+        self.assertTrue(np.all(group[place > 0.1] == 10) and np.all(group[place < -0.1] == 0))
+
+    def test_active_arrays_stay_active(self):
+        mesh = plane()
+        places = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+        data = mesh.GetPointData()
+        for role, values in {"TCoords": places[:, :2], "Normals": np.tile([0.0, 0, 1], (len(places), 1)), "Vectors": 2 * places,
+                             "Tensors": np.tile(np.arange(9.0), (len(places), 1)), "PedigreeIds": np.arange(len(places)),
+                             "GlobalIds": np.arange(len(places))}.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(f"My{role}")
+            getattr(data, f"Set{role}")(array)
+        result = quads(mesh, 50)
+        carried, where = result.GetPointData(), vtk_to_numpy(result.GetPoints().GetData())
+        np.testing.assert_allclose(vtk_to_numpy(carried.GetTCoords()), where[:, :2], atol=1e-6)
+        np.testing.assert_allclose(vtk_to_numpy(carried.GetVectors()), 2 * where, atol=1e-6)
+        np.testing.assert_allclose(np.linalg.norm(vtk_to_numpy(carried.GetNormals()), axis=1), 1)
+        self.assertEqual([carried.GetNormals().GetName(), carried.GetTensors().GetName()], ["MyNormals", "MyTensors"])
+        nearest = places[vtk_to_numpy(carried.GetAbstractArray("MyPedigreeIds"))]
+        self.assertLess(np.linalg.norm(nearest - where, axis=1).max(), 2**0.5 / 12)
+        self.assertFalse(carried.HasArray("MyGlobalIds"))
+
     def test_report_says_distances_and_shares_of_area(self):
         data = quads(sphere(), 600).GetFieldData()
         from_quads, from_surface, shares = [vtk_to_numpy(data.GetArray(name)) for name in
@@ -119,7 +153,10 @@ class Quads(unittest.TestCase):
         with warnings.catch_warnings(record=True) as heard:
             warnings.simplefilter("always")
             result = quads(sphere(), 5)
-        self.assertIn(f"there are {result.GetNumberOfCells()} quads rather than 5, as", str(heard[0].message))
+            quads(sphere(), edge_length=1000.0)
+        said = "\n".join(str(each.message) for each in heard)
+        self.assertIn(f"there are {result.GetNumberOfCells()} quads rather than 5, as", said)
+        self.assertRegex(said, "edges of quads are [0-9.]+ long on average rather than 1000, as")
 
     def test_sizes_that_are_not_reached_are_a_warning(self):
         mesh = sphere()

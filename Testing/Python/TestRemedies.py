@@ -122,6 +122,14 @@ class Remedies(unittest.TestCase):
         self.assert_helps(lambda **more: quads(drop, 400, **more), "away from the surface.*or switch Align Boundary off",
                           {"AlignBoundary": True}, {"AlignBoundary": False})
 
+    def test_of_crosses_that_the_boundary_leaves(self):
+        square = plane_of(10, 10, 1.0, 1.0)
+        array = numpy_to_vtk(np.tile([1.0, 1.0, 0.0], (square.GetNumberOfPoints(), 1)), deep=True)
+        array.SetName("Diagonal")
+        square.GetPointData().AddArray(array)
+        self.assert_helps(lambda **more: quads(square, 200, "Diagonal", **more), "40 edges of the boundary.*switch Align Boundary off",
+                          {}, {"AlignBoundary": False})
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,8 +1,7 @@
 #include "Adapters/Output/QuadsToPolyData.h"
 
-#include "Adapters/Data/ShortArrays.h"
+#include "Adapters/Output/CarriedArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
-#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PolyDataBuilder.h"
 
@@ -29,51 +28,15 @@ namespace dmg
 namespace
 {
 
-/// The arrays of the surface, but for those that are too short.
-template <class Attributes>
-vtkSmartPointer<Attributes> ArraysOf(Attributes* given, vtkIdType elements)
-{
-  const auto arrays = vtk::TakeSmartPointer(given->NewInstance());
-  arrays->ShallowCopy(given);
-  RemoveShortArrays(arrays, elements);
-  return arrays;
-}
-
-/// Arrays of the surface that have no meaning on another mesh are left out: ghosts, numbers, normals and texture coordinates.
-template <class Attributes>
-void LeaveOut(Attributes* attributes)
-{
-  attributes->CopyAllOn();
-  attributes->CopyNormalsOff();
-  attributes->CopyTCoordsOff();
-  attributes->CopyGlobalIdsOff();
-  attributes->CopyPedigreeIdsOff();
-  attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-}
-
-/// Interpolates the arrays of points at a place of the surface.
-void InterpolateAt(const SurfaceView& view, SurfacePlace place, vtkPointData* from, vtkIdType point, vtkPointData* to)
-{
-  vtkNew<vtkIdList> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners->InsertNextId(view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
-  }
-  to->InterpolatePoint(from, point, corners, place.Weights.data());
-}
-
-void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
+void CarryPoints(const QuadMesh& quads, const SurfaceView& view, vtkPointData* to)
 {
   const vtkIdType size = quads.Positions.rows();
-  const auto from = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
-  vtkPointData* const to = output->GetPointData();
-  LeaveOut(to);
-  to->InterpolateAllocate(from, size);
-  AllowAnyNumber(to);
+  CarriedPoints carried(view, to, size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    InterpolateAt(view, quads.Places[vertex], from, vertex, to);
+    carried.Set(vertex, quads.Places[vertex]);
   }
+  carried.Finish();
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
@@ -91,6 +54,7 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("IrregularWithoutSingularity", report.IrregularWithoutSingularity);
   add("FlippedTriangles", report.FlippedFaces);
   add("InvertedQuads", report.InvertedQuads);
+  add("EdgesAgainstField", static_cast<int>(report.AgainstField.size()));
   add("EulerCharacteristicOfSurface", report.EulerOfSurface);
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));
@@ -123,10 +87,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
   }
   const vtkIdType size = static_cast<vtkIdType>(quads.Quads.size());
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
-  LeaveOut(ofCells);
-  ofCells->CopyAllocate(givenToCells, size);
-  AllowAnyNumber(ofCells);
+  const auto givenToCells = StartCarryingCells(view, ofCells, size);
   for (vtkIdType quad = 0; quad < size; ++quad)
   {
     const auto& corners = quads.Quads[quad];
@@ -134,7 +95,7 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
     ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Faces[quad]), quad);
   }
   drawing.Finish(output);
-  InterpolatePoints(quads, view, output);
+  CarryPoints(quads, view, output->GetPointData());
   AddToPoints<vtkIntArray>(output, "Irregular", irregular);
   AddToCells<vtkDoubleArray>(output, "ScaledJacobian", quads.ScaledJacobians);
   AddReport(quads.Report, output->GetFieldData());
@@ -147,10 +108,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   std::vector<int> halfedges;                                           // one for each of these
   PolyDataBuilder drawing(PolyDataBuilder::Cells::Polygons);
   vtkCellData* const ofCells = output->GetCellData();
-  const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
-  LeaveOut(ofCells);
-  ofCells->CopyAllocate(givenToCells, mesh.NumberOfFaces());
-  AllowAnyNumber(ofCells);
+  const auto givenToCells = StartCarryingCells(view, ofCells, mesh.NumberOfFaces());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     std::vector<vtkIdType> corners(3);
@@ -172,21 +130,19 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
-  const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
-  LeaveOut(ofPoints);
-  ofPoints->InterpolateAllocate(givenToPoints, size);
-  AllowAnyNumber(ofPoints);
+  CarriedPoints carried(view, ofPoints, size);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
     const SurfacePlace place = quads.Finer ? quads.Finer->InParent(AtTail(h)) : AtTail(h);
-    InterpolateAt(view, place, givenToPoints, point, ofPoints);
+    carried.Set(point, place);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));
     }
   }
   drawing.Finish(output);
+  carried.Finish();
   ofPoints->SetTCoords(coordinates);
 }
 

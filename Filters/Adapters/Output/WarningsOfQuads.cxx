@@ -11,23 +11,32 @@ namespace dmg
 namespace
 {
 
-/// The number of quads, where it is not the one that was asked for.
+/// Why quads are other than asked for.
+std::string ReasonOf(const QuadReport& report, bool areMany)
+{
+  return report.SplitFaces > 0     ? "triangles were split"
+    : report.IsShortened           ? "larger ones do not fit a handle, a hole or a component"
+    : !report.RefinedFaces.empty() ? "larger ones would lose parts of the surface"
+    : areMany                      ? "each component, singularity and aligned line takes some"
+                                   : "singularities and aligned lines leave no room for more";
+}
+
+/// The number of quads or the length of their edges, where it is not the one that was asked for.
 std::string OfNumber(const QuadMesh& mesh, const QuadOptions& options)
 {
   constexpr double Tolerance = 0.1;
-  const double made = static_cast<double>(mesh.Quads.size());
-  if (options.EdgeLength > 0.0 || std::abs(made / options.NumberOfQuads - 1.0) <= Tolerance)
+  const double made = static_cast<double>(mesh.Quads.size()), length = mesh.Report.MeanLength;
+  if (options.EdgeLength > 0.0)
   {
-    return {};
+    return std::abs(length / options.EdgeLength - 1.0) <= Tolerance
+      ? std::string()
+      : "edges of quads are " + ShortText(length) + " long on average rather than " + ShortText(options.EdgeLength) +
+        ", as " + ReasonOf(mesh.Report, length < options.EdgeLength);
   }
-  const QuadReport& report = mesh.Report;
-  const std::string reason = report.SplitFaces > 0 ? "triangles were split"
-    : report.IsShortened                           ? "larger ones do not fit a handle, a hole or a component"
-    : !report.RefinedFaces.empty()                 ? "larger ones would lose parts of the surface"
-    : made > options.NumberOfQuads                 ? "each component, singularity and aligned line takes some"
-                                                   : "singularities and aligned lines leave no room for more";
-  return "there are " + std::to_string(mesh.Quads.size()) + " quads rather than " + ShortText(options.NumberOfQuads) +
-    ", as " + reason;
+  return std::abs(made / options.NumberOfQuads - 1.0) <= Tolerance
+    ? std::string()
+    : "there are " + std::to_string(mesh.Quads.size()) + " quads rather than " + ShortText(options.NumberOfQuads) +
+      ", as " + ReasonOf(mesh.Report, made > options.NumberOfQuads);
 }
 
 std::string OfRefinement(const QuadReport& report)
@@ -87,6 +96,14 @@ std::string OfSizes(const QuadReport& report)
       ", as a field that was made for equal sizes allows";
 }
 
+std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
+{
+  return report.AgainstField.empty() ? std::string()
+                                     : "quads follow " + std::to_string(report.AgainstField.size()) +
+      " edges of the boundary that are off the field by more than " + ShortText(options.LargestDeviation) +
+      " degrees; to keep the field, switch Align Boundary off";
+}
+
 std::string OfInversion(const QuadReport& report)
 {
   return report.InvertedQuads > 0 ? std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian"
@@ -99,7 +116,8 @@ std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& opt
 {
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
-    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfInversion(mesh.Report) };
+    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfDeviation(mesh.Report, options),
+    OfInversion(mesh.Report) };
 }
 
 }

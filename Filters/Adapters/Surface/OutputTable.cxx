@@ -177,7 +177,6 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkFieldSingularities", 2, "Index", Cells, 1 },
 
     // quads
-    { "vtkFieldQuads", 0, "Normals", Points, 3 },
     { "vtkFieldQuads", 0, "Irregular", Points, 1 },
     { "vtkFieldQuads", 0, "ScaledJacobian", Cells, 1 },
     { "vtkFieldQuads", 0, "Singularities", Field, 1 },

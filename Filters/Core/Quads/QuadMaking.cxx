@@ -1,5 +1,6 @@
 #include "Quads/QuadMaking.h"
 
+#include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Isolines/QuadSmoothing.h"
 #include "Quads/Isolines/SplitTriangles.h"
 #include "Quads/QuadMeasures.h"
@@ -108,6 +109,8 @@ private:
     mesh.IsCut = this->Rounds.Cut.IsCut;
     this->Report.LengthOfEdges = this->Report.LengthScale * this->Rounds.Lengths.Mean;
     this->Report.SplitSingularities = this->Rounds.SplitSingularities;
+    this->Report.AgainstField =
+      BoundaryAgainstField(this->Mesh, this->Rounds.Angles, this->Rounds.Field, this->Options);
     this->Report.FlippedFaces = NumberOfFlippedFaces(mesh.Map);
     this->Report.Singularities =
       static_cast<int>(std::count_if(indices.begin(), indices.end(), [](int index) { return index != 0; }));

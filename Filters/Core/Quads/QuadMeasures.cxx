@@ -13,11 +13,13 @@ namespace dmg
 namespace
 {
 
-void MeasureShapes(const QuadTopology& topology, QuadMesh& mesh)
+void MeasureShapes(const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh)
 {
+  constexpr double Rounding = 1e-6; // straight corners on the boundary are not inverted
   QuadReport& report = mesh.Report;
-  mesh.ScaledJacobians = ScaledJacobians(mesh.Quads, mesh.Positions);
-  report.InvertedQuads = static_cast<int>((mesh.ScaledJacobians.array() <= 0.0).count());
+  mesh.ScaledJacobians =
+    ScaledJacobians(mesh.Quads, mesh.Positions, OutsidesOf(rounds.Surface, mesh.Quads, mesh.Faces, mesh.Places));
+  report.InvertedQuads = static_cast<int>((mesh.ScaledJacobians.array() < -Rounding).count());
   report.MeanScaledJacobian = mesh.ScaledJacobians.size() > 0 ? mesh.ScaledJacobians.mean() : 0.0;
   report.EulerOfMesh =
     static_cast<int>(mesh.Places.size()) - topology.NumberOfEdges + static_cast<int>(mesh.Quads.size());
@@ -129,7 +131,8 @@ void MeasureQuads(
   const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context)
 {
   const Vector<double> areas = AreasOfQuads(mesh.Quads, mesh.Positions);
-  MeasureShapes(topology, mesh);
+  mesh.Report.MeanLength = areas.size() > 0 ? std::sqrt(areas.mean()) : 0.0;
+  MeasureShapes(rounds, topology, mesh);
   MeasureAreas(rounds, areas, mesh);
   MeasureSizes(rounds, areas, mesh);
   MeasureDistances(rounds, areas, mesh, context);

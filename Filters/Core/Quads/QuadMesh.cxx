@@ -91,10 +91,14 @@ void TakeToParents(const FinerSurface& finer, QuadMesh& mesh)
   report.LeastCovered = report.LeastCovered >= 0 ? finer.Parents[report.LeastCovered] : -1;
   int& farthest = report.Distances.FarthestVertex;
   farthest = farthest >= 0 ? finer.NearVertices[farthest] : -1;
-  std::vector<int>& refined = report.RefinedFaces;
-  std::for_each(refined.begin(), refined.end(), toParent);
-  std::sort(refined.begin(), refined.end());
-  refined.erase(std::unique(refined.begin(), refined.end()), refined.end());
+  std::for_each(report.RefinedFaces.begin(), report.RefinedFaces.end(), toParent);
+  std::for_each(report.AgainstField.begin(), report.AgainstField.end(),
+    [&finer](int& halfedge) { halfedge = finer.HalfedgeOfParent(halfedge); });
+  for (std::vector<int>* const numbers : { &report.RefinedFaces, &report.AgainstField })
+  {
+    std::sort(numbers->begin(), numbers->end());
+    numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+  }
 }
 
 LengthsOfEdges CheckedLengths(const TriangleMesh& mesh, const QuadOptions& options)

@@ -34,16 +34,20 @@ struct QuadDistances
 struct QuadReport
 {
   double LengthOfEdges = 0.0;          ///< that was aimed at, before local refinement
+  double MeanLength = 0.0;             ///< the side of a square of the mean area of the quads
   int Singularities = 0;               ///< of the field, after splitting
   int SplitSingularities = 0;          ///< of an index of 1/2 or more that were split
   int IrregularVertices = 0;           ///< inner vertices that have not four quads
   int IrregularWithoutSingularity = 0; ///< of these, the ones that are at no singularity of the field
   int FlippedFaces = 0;                ///< of the surface, that the map turns over
-  int InvertedQuads = 0;               ///< of a scaled Jacobian that is not positive
+  int InvertedQuads = 0;               ///< of a negative scaled Jacobian: folded, not convex or upside down
   double MeanScaledJacobian = 0.0;
   int EulerOfSurface = 0; ///< without what is left out
   int EulerOfMesh = 0;
-  int Refinements = 0;                ///< rounds in which edges were halved somewhere
+  int Refinements = 0; ///< rounds in which edges were halved somewhere
+  /// Sides of faces of the surface, as halfedges, on the boundary that edges of quads follow though the field is off by more than
+  /// AlignmentOptions::LargestDeviation; ascending.
+  std::vector<int> AgainstField = {};
   std::vector<int> RefinedFaces = {}; ///< of the surface, where they are shorter than was aimed at; ascending
   int SplitFaces = 0;                 ///< of components that no other quads fit: three quads each, or more
   int LeftOut = 0;                    ///< components of two faces back to back that no quads fit

@@ -27,7 +27,7 @@ constexpr double SmallestScale = 1.0 / 64.0;
 /// More quads would take gigabytes.
 constexpr double MostQuads = 1e7;
 /// Halving edges goes on until there are this many times more quads than at first: to make a mesh of the surface, and to miss nothing of it.
-constexpr double LargestGrowth = 40.0, LargestGrowthOfGood = 2.0;
+constexpr double LargestGrowth = 40.0, LargestGrowthOfGood = 1.25;
 
 std::vector<int> Ranks(const CellPlaces& places)
 {

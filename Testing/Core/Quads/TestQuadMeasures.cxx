@@ -2,6 +2,7 @@
 
 #include "QuadExamples.h"
 #include "Quads/Isolines/QuadDistances.h"
+#include "Quads/Isolines/QuadSmoothing.h"
 #include "SurfaceQuads.h"
 
 #include <algorithm>
@@ -176,6 +177,48 @@ TEST(QuadReport, SaysHowMuchLengthsOfEdgesVary)
   }
   EXPECT_EQ(mesh.Report.AskedRatio, 2.0);
   EXPECT_NEAR(mesh.Report.ReachedRatio, std::sqrt((large / larger) / (small / smaller)), 0.15);
+}
+
+TEST(ScaledJacobians, AreNegativeUpsideDown)
+{
+  Points corners(4, 3);
+  corners << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+  const std::vector<std::array<int, 4>> quads{ { 0, 1, 2, 3 }, { 3, 2, 1, 0 } };
+  Points up(2, 3);
+  up << 0, 0, 1, 0, 0, 1;
+  EXPECT_EQ(ScaledJacobians(quads, corners, up), Vector2(1.0, -1.0));
+  corners.row(2) << 0.5, 0.5, 0.0; // between its neighbours
+  EXPECT_NEAR(ScaledJacobians(quads, corners, up)[0], 0.0, 1e-15);
+  corners.row(2) << 0.25, 0.25, 0.0;
+  EXPECT_LT(ScaledJacobians(quads, corners, up)[0], -0.1) << "a reflex corner";
+}
+
+TEST(QuadReport, CountsEdgesOfTheBoundaryThatLeaveTheField)
+{
+  const int n = 12;
+  const Surface shape = Strip(n, n, 1.0);
+  const FramedMesh surface(shape.Mesh());
+  const auto quads = [&](double angle, bool isAligned)
+  {
+    Vector<Complex> crosses(surface.Mesh.NumberOfFaces());
+    for (int face = 0; face < crosses.size(); ++face)
+    {
+      crosses[face] = std::pow(surface.Faces.ToComplex(face, Vector3(std::cos(angle), std::sin(angle), 0.0)), 4);
+    }
+    QuadOptions options = NumberOfQuads(400.0); // smaller than triangles: edges count once
+    options.AlignBoundary = isAligned;
+    return MakeQuads(surface, crosses, options);
+  };
+  const QuadMesh along = quads(Pi / 4.0, true);
+  EXPECT_EQ(along.Report.AgainstField.size(), 4u * n);
+  for (const int halfedge : along.Report.AgainstField)
+  {
+    EXPECT_LT(surface.Mesh.Twin(halfedge), 0) << "of the surface that was given";
+  }
+  EXPECT_TRUE(quads(0.2, true).Report.AgainstField.empty());
+  const QuadMesh across = quads(Pi / 4.0, false);
+  EXPECT_TRUE(across.Report.AgainstField.empty());
+  EXPECT_EQ(across.Report.InvertedQuads, 0) << "three points on a straight boundary";
 }
 
 }

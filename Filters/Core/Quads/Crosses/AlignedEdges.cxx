@@ -144,6 +144,20 @@ std::vector<char> FindAlignedEdges(
   return isAligned;
 }
 
+std::vector<int> BoundaryAgainstField(
+  const TriangleMesh& mesh, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options)
+{
+  std::vector<int> against;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces() && options.AlignBoundary; ++h)
+  {
+    if (mesh.Twin(h) < 0 && Deviation(angles, field, h) > options.LargestDeviation * Pi / 180.0)
+    {
+      against.push_back(h);
+    }
+  }
+  return against;
+}
+
 bool RunsAlongU(const SurfaceAngles& angles, const CrossField& field, int halfedge)
 {
   const Complex along = AlongSide(angles, field, halfedge);

@@ -33,6 +33,10 @@ std::vector<Constraint> AlongSharpLines(const FramedMesh& surface, const Alignme
 std::vector<char> FindAlignedEdges(
   const FramedMesh& surface, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options);
 
+/// The halfedges on an aligned boundary at a larger angle to the field than AlignmentOptions::LargestDeviation.
+std::vector<int> BoundaryAgainstField(
+  const TriangleMesh& mesh, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options);
+
 /// Whether an edge runs along directions 0 and 2 of the face of its halfedge, rather than along 1 and 3.
 bool RunsAlongU(const SurfaceAngles& angles, const CrossField& field, int halfedge);
 

@@ -216,6 +216,20 @@ SurfacePlace FinerSurface::InParent(const SurfacePlace& place) const
   return { this->Parents[place.Face], this->Corners[place.Face] * place.Weights };
 }
 
+int FinerSurface::HalfedgeOfParent(int halfedge) const
+{
+  const int face = TriangleMesh::FaceOf(halfedge);
+  const Eigen::Vector3d sum = this->Corners[face].col(halfedge % 3) + this->Corners[face].col((halfedge + 1) % 3);
+  for (int opposite = 0; opposite < 3; ++opposite)
+  {
+    if (sum[opposite] == 0.0)
+    {
+      return 3 * this->Parents[face] + (opposite + 1) % 3;
+    }
+  }
+  return -1;
+}
+
 Vector<Complex> FinerSurface::PowersOf(const FramedMesh& surface, const Vector<Complex>& powers) const
 {
   Vector<Complex> finer(this->Geometry.Mesh.NumberOfFaces());

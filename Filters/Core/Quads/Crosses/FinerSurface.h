@@ -26,6 +26,8 @@ struct FinerSurface
 
   /// The same place on the surface that this one was made from.
   SurfacePlace InParent(const SurfacePlace& place) const;
+  /// The halfedge of the parent that a halfedge is a part of, -1 where it runs within the parent.
+  int HalfedgeOfParent(int halfedge) const;
   /// The field that has on each face the direction of its parent.
   /// \param surface that this one was made from. \param powers fourth powers of the directions of its faces, in their frames.
   Vector<Complex> PowersOf(const FramedMesh& surface, const Vector<Complex>& powers) const;

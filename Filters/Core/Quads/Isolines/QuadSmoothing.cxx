@@ -11,10 +11,15 @@ namespace
 
 constexpr int Grain = 256;
 
-/// \param corners counter-clockwise.
-double ScaledJacobian(const std::array<Vector3, 4>& corners)
+/// \param corners counter-clockwise. \param outside see ScaledJacobians.
+double ScaledJacobian(const std::array<Vector3, 4>& corners, const Vector3& outside)
 {
-  const Vector3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+  constexpr double LeastDoubt = 0.1; // around thin rims the surface has no side
+  Vector3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+  if (normal.dot(outside) < -LeastDoubt)
+  {
+    normal = -normal;
+  }
   double least = 1.0;
   for (int k = 0; k < 4; ++k)
   {
@@ -115,17 +120,17 @@ public:
     , Places(places)
     , Around(QuadsAround(quads))
     , Positions(PositionsOf(surface.Surface.Mesh, places))
+    , Outsides(OutsidesOf(surface.Surface, quads.Corners, quads.Faces, places.Places))
   {
   }
 
   /// \return whether a vertex moved.
   bool Sweep()
   {
-    constexpr double Good = 0.2; // quads below are looked after
     bool hasMoved = false;
     for (int q = 0; q < this->Quads.Size(); ++q)
     {
-      if (ScaledJacobian(CornersOf(this->Quads.Corners[q], this->Positions)) < Good)
+      if (this->JacobianOf(q) < Good)
       {
         for (const int vertex : this->Quads.Corners[q])
         {
@@ -137,14 +142,23 @@ public:
   }
 
 private:
-  double Worst(int vertex) const
+  static constexpr double Good = 0.2; ///< quads below are looked after
+
+  double JacobianOf(int q) const
   {
-    double worst = 1.0;
+    return ScaledJacobian(CornersOf(this->Quads.Corners[q], this->Positions), this->Outsides.row(q).transpose());
+  }
+
+  /// The sum of the Jacobians around a vertex, where all that are good count alike. The worst one alone would get better at the cost of
+  /// others.
+  double Quality(int vertex) const
+  {
+    double sum = 0.0;
     for (const int q : this->Around[vertex])
     {
-      worst = std::min(worst, ScaledJacobian(CornersOf(this->Quads.Corners[q], this->Positions)));
+      sum += std::min(Good, this->JacobianOf(q));
     }
-    return worst;
+    return sum;
   }
 
   bool Improve(int vertex)
@@ -181,16 +195,16 @@ private:
   bool TryPlace(int vertex, const Vector3& position)
   {
     constexpr double LeastGain = 1e-3;
-    const double worst = this->Worst(vertex);
-    const Vector3 former = this->Positions.row(vertex).transpose();
+    const double former = this->Quality(vertex);
+    const Vector3 start = this->Positions.row(vertex).transpose();
     const SurfacePlace place = PlaceNear(this->Surface, this->Lines, this->Places, vertex, position);
     this->Positions.row(vertex) = PositionOf(this->Surface.Surface.Mesh, place).transpose();
-    if (this->Worst(vertex) > worst + LeastGain)
+    if (this->Quality(vertex) > former + LeastGain)
     {
       this->Places.Places[vertex] = place;
       return true;
     }
-    this->Positions.row(vertex) = former.transpose();
+    this->Positions.row(vertex) = start.transpose();
     return false;
   }
 
@@ -200,16 +214,34 @@ private:
   CellPlaces& Places;
   const std::vector<std::vector<int>> Around;
   Points Positions;
+  const Points Outsides;
 };
 
 }
 
-Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, const Points& positions)
+Points OutsidesOf(const FramedMesh& surface, const std::vector<std::array<int, 4>>& quads,
+  const std::vector<int>& faces, const std::vector<SurfacePlace>& places)
+{
+  Points outsides(static_cast<int>(quads.size()), 3);
+  for (int q = 0; q < outsides.rows(); ++q)
+  {
+    Vector3 sum = surface.Faces.Normal(faces[q]);
+    for (const int vertex : quads[q])
+    {
+      sum += surface.Faces.Normal(places[vertex].Face);
+    }
+    outsides.row(q) = sum.transpose() / 5.0;
+  }
+  return outsides;
+}
+
+Vector<double> ScaledJacobians(
+  const std::vector<std::array<int, 4>>& quads, const Points& positions, const Points& outsides)
 {
   Vector<double> jacobians(static_cast<int>(quads.size()));
   for (int q = 0; q < jacobians.size(); ++q)
   {
-    jacobians[q] = ScaledJacobian(CornersOf(quads[q], positions));
+    jacobians[q] = ScaledJacobian(CornersOf(quads[q], positions), outsides.row(q).transpose());
   }
   return jacobians;
 }

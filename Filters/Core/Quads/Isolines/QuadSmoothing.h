@@ -12,9 +12,17 @@
 namespace dmg
 {
 
+/// The mean normal of the surface around each quad: at its corners and within it.
+/// \param faces by quad, one below it. \param places by vertex.
+Points OutsidesOf(const FramedMesh& surface, const std::vector<std::array<int, 4>>& quads,
+  const std::vector<int>& faces, const std::vector<SurfacePlace>& places);
+
 /// The scaled Jacobian of each quad: of its four corners, the least sine of the angle from the next side to the one before, where the
-/// mean normal of the quad says which sines are positive. 1 for rectangles, not positive for quads that are folded or no longer convex.
-Vector<double> ScaledJacobians(const std::vector<std::array<int, 4>>& quads, const Points& positions);
+/// mean normal of the quad, on the outside of the surface, says which sines are positive. 1 for rectangles, 0 where a corner is straight, less
+/// for quads that are folded, no longer convex, or upside down.
+/// \param outsides by quad (OutsidesOf).
+Vector<double> ScaledJacobians(
+  const std::vector<std::array<int, 4>>& quads, const Points& positions, const Points& outsides);
 
 /// Moves vertices towards the corners of the squares that are nearest to the quads around them, and back to the nearest place of the surface,
 /// or of their line, near by. A square is of any size, and turned as its quad is (shape matching; Bouaziz et al. 2012). Quads that are
