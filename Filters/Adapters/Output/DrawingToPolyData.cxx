@@ -1,6 +1,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 
 #include "Adapters/Surface/ElementArrays.h"
+#include "Drawing/ThinWalls.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -62,18 +63,36 @@ vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
   return points;
 }
 
+/// \param normals of the points before they are lifted.
+vtkSmartPointer<vtkDoubleArray> NormalsOfInk(const FramedMesh& surface, const std::vector<Vector3>& positions,
+  std::vector<Vector3> normals, const ExecutionContext& context)
+{
+  HalveNormalsAtThinWalls(surface, positions, normals, context);
+  return NewVectors("Normals", normals);
 }
 
-void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
-  double lift, vtkPolyData* output)
+/// Positions along normals, and back where the lift is negative.
+std::vector<Vector3> Lifted(std::vector<Vector3> positions, const std::vector<Vector3>& normals, double lift)
+{
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    positions[i] += lift * normals[i];
+  }
+  return positions;
+}
+
+}
+
+void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context)
 {
   std::vector<Vector3> positions;
   std::vector<Vector3> normals;
   std::vector<double> magnitudes(lines.Magnitudes);
   const auto addPoint = [&](const Vector3& position, int face)
   {
-    normals.push_back(faceFrames.Normal(face));
-    positions.push_back(position + lift * normals.back());
+    normals.push_back(surface.Faces.Normal(face));
+    positions.push_back(position);
     return static_cast<vtkIdType>(positions.size() - 1);
   };
   for (std::size_t i = 0; i < lines.Positions.size(); ++i)
@@ -105,7 +124,7 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
     polylines->InsertNextCell(3, corners);
     lineOf.push_back(head.Line);
   }
-  output->SetPoints(NewPoints(positions));
+  output->SetPoints(NewPoints(Lifted(positions, normals, lift)));
   output->SetLines(polylines);
 
   std::vector<double> lengths;
@@ -123,10 +142,11 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
   vtkPointData* const ofPoints = output->GetPointData();
   ofPoints->AddArray(
     NewArray<vtkDoubleArray>("Magnitude", 1, magnitudes.data(), static_cast<vtkIdType>(magnitudes.size())));
-  ofPoints->SetNormals(NewVectors("Normals", normals));
+  ofPoints->SetNormals(NormalsOfInk(surface, positions, normals, context));
 }
 
-void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context)
 {
   const int numberOfCells = glyphs.NumberOfCells();
   vtkNew<vtkCellArray> cells;
@@ -148,7 +168,8 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
   ofCells->AddArray(NewArray<vtkIntArray>("Direction", 1, glyphs.Directions.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkIntArray>("Glyph", 1, glyphs.Glyphs.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkDoubleArray>("Magnitude", 1, glyphs.Magnitudes.data(), numberOfCells));
-  output->GetPointData()->SetNormals(NewVectors("Normals", glyphs.Normals));
+  output->GetPointData()->SetNormals(
+    NormalsOfInk(surface, Lifted(glyphs.Positions, glyphs.Normals, -lift), glyphs.Normals, context));
 }
 
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
