@@ -55,7 +55,13 @@ public:
    *   actor->GetShaderProperty()->AddVertexShaderReplacement(
    *     "//VTK::PositionVC::Impl", true, vtkFieldDrawingAlgorithm::GetInkShader(), false);
    *
-   * Without light (vtkProperty::LightingOff) it has the same colour on both sides.
+   * Without light it has the same colour on both sides, by
+   *
+   *   actor->GetShaderProperty()->AddFragmentShaderReplacement(
+   *     "//VTK::Light::Impl", true, "gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n", false);
+   *
+   * Lines and glyphs whose normals are half as long, as those of thin walls, are drawn farther from the viewer instead where they face away,
+   * so that they show from their own side alone. With vtkProperty::LightingOff VTK takes no normals, and all show from both sides.
    * In Python, directionalmultigrid.draw_as_ink(actor) does so.
    */
   static const char* GetInkShader();

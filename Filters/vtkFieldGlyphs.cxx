@@ -44,7 +44,8 @@ int vtkFieldGlyphs::RequestData(
         dmg::PlaceGlyphs(surface, given.Field, where, dmg::PartOfContext(context, 0.0, 0.6));
       const dmg::GlyphsOnSurface glyphs =
         dmg::FieldGlyphs(surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 1.0));
-      dmg::GlyphsToPolyData(glyphs, given.Field.NumberOfFamilies(), this->Style == Strokes, output);
+      dmg::GlyphsToPolyData(glyphs, given.Field.NumberOfFamilies(), this->Style == Strokes,
+        given.View.Surface().Geometry, how.Lift, output, context);
     });
 }
 

@@ -54,7 +54,7 @@ int vtkFieldLines::RequestData(
         ? dmg::ArrowHeadsOf(
             lines, given.View.Surface().Geometry.Faces, HeadSpacing * options.Separation, HeadSize * options.Separation)
         : std::vector<dmg::ArrowHead>();
-      dmg::LinesToPolyData(lines, heads, given.View.Surface().Geometry.Faces, this->Lift * given.Diagonal, output);
+      dmg::LinesToPolyData(lines, heads, given.View.Surface().Geometry, this->Lift * given.Diagonal, output, context);
       if (lines.NumberOfLines() == 0)
       {
         // Lines have other places at another distance, and the longest is half as long there at least. With MinimumLength 0

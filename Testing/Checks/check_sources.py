@@ -56,8 +56,8 @@ ARROWS = {
     "StructurePreserving/Transfers": {"StructurePreserving/Decimation", "Levels", "Mesh", "Support"},
     "StructurePreserving/Overlay": {"StructurePreserving/Decimation", "Levels", "Mesh", "Support"},
     "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
-    "Drawing": {"Operators", "Mesh", "Support"},
     "Constraints": {"Directions", "Operators", "Mesh", "Support"},
+    "Drawing": {"Constraints", "Operators", "Mesh", "Support"},
     # Unknowns: the penalties and the levels that each kind of field shares with others, and the kinds themselves.
     "Discretisations/Constraints": {"Constraints", "Solvers", "Operators", "Mesh", "Support"},
     "Discretisations/Levels": {"Solvers/LeastSquares", "Levels", "Operators", "Mesh", "Support"},

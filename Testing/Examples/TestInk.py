@@ -10,11 +10,13 @@ import pathlib
 import re
 import unittest
 
+import numpy as np
 from directionalmultigrid import draw_as_ink, smooth_field, update
+from directionalmultigrid.drawing import WITHOUT_LIGHT
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldGlyphs, vtkFieldLines
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkFiltersCore import vtkReverseSense
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkDataSetMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # draws
@@ -22,13 +24,13 @@ import vtkmodules.vtkRenderingOpenGL2  # draws
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def plane(distance=0):
-    """Squares in the plane z = distance, clockwise as seen from +z."""
+def plane(distance=0, clockwise=True):
+    """Squares in the plane z = distance, as seen from +z."""
     source, turned = vtkPlaneSource(), vtkReverseSense()
     source.SetResolution(20, 20)
     source.Push(distance)
     turned.SetInputConnection(source.GetOutputPort())
-    return update(turned)
+    return update(turned if clockwise else source)
 
 
 def drawings(field):
@@ -89,11 +91,32 @@ class Ink(unittest.TestCase):
             for parallel in (False, True):
                 self.assertEqual(red_pixels(screen, ink, position=(0, 0, 1), distance=1, parallel=parallel), 0)
 
+    def test_of_a_thin_wall_shows_from_its_own_side_alone(self):
+        """Lines of the upper sheet are red here, and those of the lower one are white, as the wall is."""
+        for thickness in (0, 1e-4, 1e-3):
+            wall = vtkAppendPolyData()
+            wall.AddInputData(plane(0))
+            wall.AddInputData(plane(thickness, clockwise=False))
+            field = smooth_field(update(wall), n=4, BoundaryWeight=1)
+            for drawing in drawings(field):
+                upper = vtk_to_numpy(drawing.GetPointData().GetNormals())[:, 2] > 0
+                colours = numpy_to_vtk(np.where(upper[:, None], (255, 0, 0), (255, 255, 255)).astype(np.uint8), deep=True)
+                drawing.GetPointData().SetScalars(colours)
+                ink = draw_as_ink(actor_of(drawing, (1, 0, 0)))
+                ink.GetMapper().ScalarVisibilityOn()
+                for distance, parallel in ((0.6, False), (2, False), (0.6, True)):
+                    with self.subTest(thickness=thickness, distance=distance, parallel=parallel):
+                        above, below = (red_pixels(actor_of(field, (1, 1, 1)), ink, position=(0.3, -0.2, side), distance=distance,
+                                                   parallel=parallel) for side in (1, -1))
+                        self.assertGreater(above, 100)
+                        self.assertLess(below, 0.02 * above)
+
     def test_is_what_the_representation_of_paraview_draws(self):
         representations = (ROOT / "ParaViewPlugin/Representations.xml").read_text(encoding="utf-8")
         replaced = re.search(r'name="InkRepresentation".*?default_values="(\[\{.*?\}\])"', representations, re.DOTALL)[1]
-        self.assertEqual(json.loads(html.unescape(replaced))[0],
-                         {"type": "vertex", "original": "//VTK::PositionVC::Impl", "replacement": vtkFieldLines.GetInkShader()})
+        self.assertEqual(json.loads(html.unescape(replaced)),
+                         [{"type": "vertex", "original": "//VTK::PositionVC::Impl", "replacement": vtkFieldLines.GetInkShader()},
+                          {"type": "fragment", "original": "//VTK::Light::Impl", "replacement": WITHOUT_LIGHT}])
 
 
 if __name__ == "__main__":

@@ -224,6 +224,22 @@ class Drawing(unittest.TestCase):
         simple.Delete(view)
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_ink_of_a_thin_wall_shows_from_its_own_side_alone(self):
+        """Lines are blue on the upper side and red on the lower one."""
+        view = simple.CreateRenderView(ViewSize=[300, 300], OrientationAxesVisibility=0, CameraPosition=[0.3, 0.2, 3], CameraFocalPoint=[0, 0, 0])
+        wall = simple.Subdivide(Input=simple.Triangulate(Input=simple.Box(ZLength=1e-4)), NumberofSubdivisions=3)
+        field = simple.HarmonicFieldSolver(Input=wall, SharpEdgesWeight=1)
+        simple.Show(field, view, Representation="Surface", ColorArrayName=["POINTS", ""])
+        for ink in (simple.FieldLines(Input=field, SeparatingDistance=0.05), simple.FieldGlyphs(Input=field)):
+            display = simple.Show(ink, view)
+            simple.ColorBy(display, ("POINTS", "Normals", "Z"))
+            simple.GetColorTransferFunction("Normals").RGBPoints = [-0.5, 1, 0, 0, 0.5, 0, 0, 1]
+            self.assertGreater(self.part_of(view, 2), 0.01)
+            self.assertLess(self.part_of(view, 0), 0.0005)
+            simple.Hide(ink, view)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_the_mouse_reaches_the_surface_below_lines(self):
         """As where points of a stroke are placed by keys. ParaView puts those on lines up to 0.1 off."""
         view = simple.CreateRenderView(ViewSize=[500, 500], CameraPosition=[0, 0, 5], CameraFocalPoint=[0, 0, 0])

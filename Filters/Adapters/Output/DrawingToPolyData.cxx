@@ -1,6 +1,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 
 #include "Adapters/Surface/PolyDataBuilder.h"
+#include "Drawing/ThinWalls.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -33,17 +34,36 @@ Vector3 CentreOf(const TriangleMesh& mesh, int face)
   return (corner(0) + corner(1) + corner(2)) / 3.0;
 }
 
+/// \param normals of the points before they are lifted.
+std::vector<Vector3> NormalsOfInk(const FramedMesh& surface, const std::vector<Vector3>& positions,
+  std::vector<Vector3> normals, const ExecutionContext& context)
+{
+  HalveNormalsAtThinWalls(surface, positions, normals, context);
+  return normals;
 }
 
-void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
-  double lift, vtkPolyData* output)
+/// Positions along normals, and back where the lift is negative.
+std::vector<Vector3> Lifted(std::vector<Vector3> positions, const std::vector<Vector3>& normals, double lift)
+{
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    positions[i] += lift * normals[i];
+  }
+  return positions;
+}
+
+}
+
+void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context)
 {
   PolyDataBuilder drawing(PolyDataBuilder::Cells::Lines);
-  std::vector<Vector3> normals;
+  std::vector<Vector3> positions, normals;
   std::vector<double> magnitudes(lines.Magnitudes);
   const auto addPoint = [&](const Vector3& position, int face)
   {
-    normals.push_back(faceFrames.Normal(face));
+    normals.push_back(surface.Faces.Normal(face));
+    positions.push_back(position);
     return drawing.AddPoint(position + lift * normals.back());
   };
   for (std::size_t i = 0; i < lines.Positions.size(); ++i)
@@ -80,10 +100,11 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
   AddToCells<vtkIntArray>(output, "Branch", families);
   AddToCells<vtkIntArray>(output, "Seed", lineOf);
   AddToPoints<vtkDoubleArray>(output, "Magnitude", magnitudes);
-  SetNormals(output, normals);
+  SetNormals(output, NormalsOfInk(surface, positions, std::move(normals), context));
 }
 
-void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context)
 {
   PolyDataBuilder drawing(areStrokes ? PolyDataBuilder::Cells::Lines : PolyDataBuilder::Cells::Polygons);
   for (const Vector3& position : glyphs.Positions)
@@ -105,7 +126,8 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
   AddToCells<vtkIntArray>(output, "Direction", glyphs.Directions);
   AddToCells<vtkIntArray>(output, "Glyph", glyphs.Glyphs);
   AddToCells<vtkDoubleArray>(output, "Magnitude", glyphs.Magnitudes);
-  SetNormals(output, glyphs.Normals);
+  const std::vector<Vector3> onSurface = Lifted(glyphs.Positions, glyphs.Normals, -lift);
+  SetNormals(output, NormalsOfInk(surface, onSurface, glyphs.Normals, context));
 }
 
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)

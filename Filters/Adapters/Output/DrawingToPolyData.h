@@ -6,7 +6,8 @@
 #include "Drawing/ArrowHeads.h"
 #include "Drawing/EvenlySpacedLines.h"
 #include "Drawing/FieldGlyphs.h"
-#include "Mesh/TangentFrames.h"
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
 
 #include <vector>
 
@@ -19,13 +20,17 @@ namespace dmg
 
 /// Polylines with the arrays of vtkFieldLines, and after them their heads, lines of three points.
 /// \param lift along the normals of the faces, in the unit of the points.
-void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
-  double lift, vtkPolyData* output);
+/// \throw Cancelled
+void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context);
 
 /// Polylines or polygons with the arrays of vtkFieldGlyphs.
 /// \param families of the field, of which branch k belongs to number k modulo this.
 /// \param areStrokes whether the cells are lines.
-void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output);
+/// \param lift of the glyphs off the surface, in the unit of the points.
+/// \throw Cancelled
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, const FramedMesh& surface,
+  double lift, vtkPolyData* output, const ExecutionContext& context);
 
 /// The outputs of vtkFieldSingularities.
 /// \param given the surface, of which \p topology is made.

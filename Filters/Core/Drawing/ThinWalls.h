@@ -1,0 +1,28 @@
+#ifndef dmgThinWalls_h
+#define dmgThinWalls_h
+
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Halves the normals of a drawing at thin walls, fins and plates: where another sheet of the surface, which faces the other way by more
+/// than 120 degrees, lies behind it within a hundredth of the diagonal of the surface's box, at any distance down to none.
+///
+/// Programs that draw lines a little nearer to the viewer than their surface read from the length that such a line shows from its own side
+/// alone (vtkFieldDrawingAlgorithm::GetInkShader). Other lines show from both sides.
+///
+/// \param positions on the surface, of points of a drawing.
+/// \param normals of the surface there, unit; some lose half of their length.
+/// Cost: n log n, and for each point the faces in a ball of that diameter behind it.
+/// \throw Cancelled
+void HalveNormalsAtThinWalls(const FramedMesh& surface, const std::vector<Vector3>& positions,
+  std::vector<Vector3>& normals, const ExecutionContext& context = SerialContext());
+
+}
+
+#endif
