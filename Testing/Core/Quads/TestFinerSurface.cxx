@@ -1,10 +1,15 @@
 // Surfaces whose long edges are halved, and the quads of surfaces with few triangles.
 
+#include "Preparation/PreparedSurface.h"
 #include "QuadExamples.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/FinerSurface.h"
 #include "Support/Random.h"
+#include "Support/ReadPly.h"
 #include "SurfaceQuads.h"
+
+#include <filesystem>
+#include <string>
 
 using namespace dmg;
 using namespace dmg::test;
@@ -166,6 +171,24 @@ TEST(QuadMesh, OfFieldWithGapIsGridAcrossIt)
   EXPECT_EQ(mesh.Quads.size(), 100u);
   EXPECT_EQ(mesh.Report.Singularities, 0);
   EXPECT_GT(mesh.Report.MeanScaledJacobian, 0.999);
+}
+
+// Without halved edges, spikes and corners that are pulled out: a mean of 0.84.
+TEST(QuadMesh, OfPartWithThinTrianglesHasSquares)
+{
+  const std::string path = std::string(DMG_MESHES) + "/cad_thin_77k.ply";
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << path << " is not there";
+  }
+  const Surface part = ReadPly(path);
+  const PreparedSurface prepared =
+    PrepareSurface({ part.V, part.F, 0, static_cast<int>(part.F.rows()), {}, {} }, PreparationOptions());
+  const FramedMesh surface(prepared.Mesh);
+  const QuadMesh mesh = MakeQuadsAlongFeatures(surface, NumberOfQuads(4000.0));
+  ExpectGoodMesh(surface, mesh);
+  EXPECT_GT(mesh.Report.MeanScaledJacobian, 0.92);
+  EXPECT_NEAR(static_cast<double>(mesh.Quads.size()), 4000.0, 400.0);
 }
 
 }
