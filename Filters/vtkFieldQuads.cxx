@@ -49,9 +49,9 @@ dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg:
   const dmg::QuadOptions& options, const dmg::ExecutionContext& context)
 {
   const dmg::ElementNames names = view.Relation().Names();
-  return crosses
-    ? dmg::MakeQuads(view.Surface().Geometry, *crosses, options, context, names)
-    : dmg::MakeQuadsAlongFeatures({ view.Prepared(), &view.Prepared()->Geometry }, options, context, names);
+  const dmg::FramedMesh& surface = view.Surface().Geometry;
+  return crosses ? dmg::MakeQuadsAcrossGaps(surface, *crosses, options, context, names)
+                 : dmg::MakeQuadsAlongFeatures(surface, options, context, names);
 }
 
 }

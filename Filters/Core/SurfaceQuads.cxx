@@ -3,6 +3,8 @@
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
 
+#include <cmath>
+#include <memory>
 #include <utility>
 
 namespace dmg
@@ -13,6 +15,35 @@ namespace
 
 /// The weight of features that edges of quads shall run along.
 constexpr double WeightOfAligned = 1000.0;
+
+/// \pre the surface lives longer than the pointer.
+std::shared_ptr<const FramedMesh> Borrowed(const FramedMesh& surface)
+{
+  return { std::shared_ptr<void>(), &surface };
+}
+
+/// Fills the faces without a direction with the smoothest field that agrees with the others.
+Vector<Complex> FilledGaps(
+  const FramedMesh& surface, const Vector<Complex>& powers, const ExecutionContext& context, const ElementNames& names)
+{
+  FieldSolver solver(Borrowed(surface));
+  FieldProblem problem;
+  for (int face = 0; face < powers.size(); ++face)
+  {
+    if (powers[face] != 0.0)
+    {
+      const Complex direction = std::polar(1.0, 0.25 * std::arg(powers[face]));
+      problem.Constraints.OnFaces.push_back({ face, surface.Faces.ToVector(face, direction), WeightOfAligned });
+    }
+  }
+  const Vector<Complex> smooth = FourthPowers(solver.Solve(problem, context, names).OnFaces);
+  Vector<Complex> filled = powers;
+  for (int face = 0; face < powers.size(); ++face)
+  {
+    filled[face] = powers[face] != 0.0 ? powers[face] : smooth[face];
+  }
+  return filled;
+}
 
 }
 
@@ -27,12 +58,12 @@ Vector<Complex> FourthPowers(const Vector<Complex>& directions)
   return powers;
 }
 
-QuadMesh MakeQuadsAlongFeatures(const std::shared_ptr<const FramedMesh>& surface, const QuadOptions& options,
-  const ExecutionContext& context, const ElementNames& names)
+QuadMesh MakeQuadsAlongFeatures(
+  const FramedMesh& surface, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
 {
   std::shared_ptr<const FinerSurface> finer =
-    SurfaceForQuads(*surface, options, PartOfContext(context, 0.0, 0.05), names);
-  FieldSolver solver(finer ? std::shared_ptr<const FramedMesh>(finer, &finer->Geometry) : surface);
+    SurfaceForQuads(surface, options, PartOfContext(context, 0.0, 0.05), names);
+  FieldSolver solver(Borrowed(finer ? finer->Geometry : surface));
   FieldProblem problem;
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
   if (options.AlignSharpEdges)
@@ -42,7 +73,15 @@ QuadMesh MakeQuadsAlongFeatures(const std::shared_ptr<const FramedMesh>& surface
   problem.UnitLengthWhileSmoothing = true;
   const Field& field = solver.Solve(problem, PartOfContext(context, 0.05, 0.3), finer ? finer->NamesOf(names) : names);
   const Vector<Complex> powers = FourthPowers(field.OnFaces);
-  return MakeQuads(*surface, std::move(finer), powers, options, PartOfContext(context, 0.3, 1.0), names);
+  return MakeQuads(surface, std::move(finer), powers, options, PartOfContext(context, 0.3, 1.0), names);
+}
+
+QuadMesh MakeQuadsAcrossGaps(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options,
+  const ExecutionContext& context, const ElementNames& names)
+{
+  const bool hasGaps = powers.size() == surface.Mesh.NumberOfFaces() && (powers.array() == 0.0).any();
+  return MakeQuads(surface, hasGaps ? FilledGaps(surface, powers, PartOfContext(context, 0.0, 0.2), names) : powers,
+    options, PartOfContext(context, hasGaps ? 0.2 : 0.0, 1.0), names);
 }
 
 }

@@ -105,6 +105,19 @@ class Quads(unittest.TestCase):
         with self.assertRaisesRegex(FieldError, "6 directions"):
             quads(smooth_field(sphere(), n=6), 500)
 
+    def test_gaps_of_a_field_are_filled(self):
+        """Crosses of one direction, zero in the middle: the smoothest ones in between have no singularity."""
+        mesh = plane(40)
+        places = vtk_to_numpy(mesh.GetPoints().GetData())
+        directions = np.tile([1.0, 0, 0], (len(places), 1))
+        directions[np.hypot(places[:, 0] - 0.5, places[:, 1] - 0.5) < 0.2] = 0
+        array = numpy_to_vtk(directions, deep=True)
+        array.SetName("d")
+        mesh.GetPointData().AddArray(array)
+        result = quads(mesh, 400, directions="d")
+        self.assertEqual(result.GetFieldData().GetArray("Singularities").GetValue(0), 0)
+        self.assertFalse(vtk_to_numpy(result.GetPointData().GetArray("Irregular")).any())
+
     def test_labels_are_those_of_the_nearest_point_and_numbers_are_interpolated(self):
         mesh = sphere()
         z = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2].astype(float)

@@ -24,7 +24,7 @@ Surface Strip(int m, int n, double width)
 
 QuadMesh QuadsOf(const Surface& shape, const QuadOptions& options)
 {
-  return MakeQuadsAlongFeatures(std::make_shared<const FramedMesh>(shape.Mesh()), options);
+  return MakeQuadsAlongFeatures(FramedMesh(shape.Mesh()), options);
 }
 
 /// The unit sphere with a thin horn of height 1 at its north pole.
