@@ -1,3 +1,4 @@
+#include "Geodesics/DistanceSources.h"
 #include "Geodesics/ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
 #include "PropertiesOfSolver.h"
@@ -8,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkSurfaceDistance.h"
 
 #include <gtest/gtest.h>
 
@@ -54,4 +56,6 @@ TEST(Defaults, OfOtherFiltersAreThoseOfTheCore)
   EXPECT_EQ(prolongation->GetStrict(), PreparationOptions().Strict);
   EXPECT_EQ(vtkNew<vtkPrincipalDirections>()->GetScale(), FeatureOptions().CurvatureScale);
   EXPECT_EQ(vtkNew<vtkParallelTransport>()->GetTimeStep(), TransportOptions().TimeStep);
+  EXPECT_EQ(vtkNew<vtkSurfaceDistance>()->GetMaximumSourceDistance(), DistanceOptions().MaximumSourceDistance);
+  EXPECT_EQ(vtkNew<vtkSurfaceDistance>()->GetSigned(), DistanceOptions().Signed);
 }

@@ -6,7 +6,7 @@ import unittest
 import warnings
 
 import numpy as np
-from directionalmultigrid import (FieldError, FieldWarning, hodge, smooth_field, transport, update, write_raw_field, write_rosy,
+from directionalmultigrid import (FieldError, FieldWarning, distance, hodge, smooth_field, transport, update, write_raw_field, write_rosy,
                                   write_sharp)
 from directionalmultigrid.vtkFiltersDirectionalFields import (vtkFieldAngles, vtkFieldLines, vtkHarmonicFieldSolver, vtkHodgeDecomposition,
                                                              vtkPrincipalDirections)
@@ -596,6 +596,32 @@ class Distances(unittest.TestCase):
         result = transport(data, point=(0, 0, 0))
         self.assertEqual(values(result.GetFieldData(), "PointsWithoutMap")[0], 3)
         np.testing.assert_array_equal(np.isnan(values(result.GetPointData(), "GeodesicDistance")), [False] * 3 + [True] * 3)
+
+
+    def test_on_a_flat_map_are_those_on_the_globe_from_south_and_from_north(self):
+        """With the same point twice at 0 and at 360 degrees, and often at the poles."""
+        longitudes = np.linspace(0, 360, 73)
+        for latitudes in (np.linspace(-90, 90, 37), np.linspace(90, -90, 37)):
+            on_globe, xyz = globe(longitudes, latitudes)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", FieldWarning)  # points that are there often
+                expected = values(distance(on_globe, point=xyz[700]).GetPointData(), "Distance")
+            result = distance(flat(longitudes, latitudes), point=(longitudes[700 % 73], latitudes[700 // 73], 0),
+                              Coordinates="LongitudeAndLatitude").GetPointData()
+            np.testing.assert_allclose(values(result, "Distance"), expected, atol=1e-9)
+            self.assertLess(np.abs(expected - np.arccos(np.clip(xyz @ xyz[700], -1, 1))).max(), 0.01)
+
+    def test_do_not_depend_on_polygons_and_doubled_points(self):
+        """Quadrilaterals, each with points of its own, which are joined; and a mask that one of two copies has."""
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        squares = [[(x + i, y + j, 0) for x, y, _ in corners] for j in range(4) for i in range(4)]
+        data = polygons(sum(squares, []), [range(4 * k, 4 * k + 4) for k in range(16)])
+        at = np.array(sum(squares, []), float)
+        mask = np.zeros(64)
+        mask[np.flatnonzero((at == (2, 2, 0)).all(axis=1))[2]] = 1
+        add(data.GetPointData(), "mask", mask)
+        for result in (distance(data, point=(2, 2, 5)), distance(data, mask="mask")):
+            np.testing.assert_allclose(values(result.GetPointData(), "Distance"), np.linalg.norm(at - (2, 2, 0), axis=1), atol=1e-9)
 
 
 class Tiles(unittest.TestCase):

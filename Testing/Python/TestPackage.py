@@ -362,6 +362,12 @@ class Accessor(unittest.TestCase):
         carried = mesh.directional.transport(point=(1, 0, 0), direction=(0, 0, 1))
         self.assertIs(type(carried), self.pyvista.PolyData)
         self.assertTrue(carried.GetPointData().HasArray("LogarithmicMap"))
+        measured = mesh.directional.distance(point=(1, 0, 0))
+        self.assertIs(type(measured), self.pyvista.PolyData)
+        self.assertTrue(measured.GetPointData().HasArray("Distance"))
+        path = mesh.directional.shortest_path(0, 7)
+        self.assertIs(type(path), self.pyvista.PolyData)
+        self.assertEqual(path.GetNumberOfLines(), 1)
 
         plotter = unittest.mock.Mock()
         actor = result.directional.add_lines(plotter, color="red", SeparatingDistance=0.05)

@@ -13,6 +13,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkSurfaceDistance.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -397,6 +398,27 @@ TEST(GatheredSurface, OneRankMayWorkAlone)
     const auto solver = NewGathering(Sphere());
     solver->Update();
     EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 1280);
+  }
+}
+
+TEST(GatheredSurface, HasDistancesOverSeams)
+{
+  vtkNew<vtkLineSource> ends; // at the poles, on each rank
+  ends->SetPoint1(0.0, 0.0, 1.0);
+  ends->SetPoint2(0.0, 0.0, -1.0);
+  vtkNew<vtkSurfaceDistance> distance;
+  distance->SetInputData(OwnBand());
+  distance->SetPoint(0.0, 0.0, 1.0);
+  distance->SetInputConnection(2, ends->GetOutputPort());
+  const Messages messages(distance);
+  UpdateOwnPiece(distance);
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+  auto* const measured = vtkDataSet::SafeDownCast(distance->GetOutputDataObject(0));
+  EXPECT_EQ(measured->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+  EXPECT_EQ(vtkDataSet::SafeDownCast(distance->GetOutputDataObject(2))->GetNumberOfCells(), Rank() == 0 ? 1 : 0);
+  if (Rank() == 0)
+  {
+    EXPECT_NEAR(Values(measured->GetFieldData(), "LargestDistance").at(0), Pi, 0.02);
   }
 }
 
