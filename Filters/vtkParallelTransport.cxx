@@ -1,18 +1,19 @@
 #include "vtkParallelTransport.h"
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
+#include "Adapters/Input/PlacedDirection.h"
 #include "Adapters/Output/TransportToArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/SurfaceView.h"
 #include "Support/Errors.h"
 
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldGlyphs.h"
@@ -32,24 +33,19 @@ vtkStandardNewMacro(vtkParallelTransport);
 class vtkParallelTransport::vtkInternals
 {
 public:
-  dmg::TransportSurface Surface;
-
-  /// The executions of leaves begin and end within that of their composite dataset.
-  void BeginExecution()
+  explicit vtkInternals(vtkAlgorithm* filter)
+    : Engines(filter)
   {
-    if (this->OpenExecutions++ == 0)
-    {
-      this->Places = 0;
-    }
   }
-  void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
+
+  dmg::Kept<dmg::EngineOfSurface<dmg::ParallelTransport, dmg::TransportOptions>> Engines;
 
   /// Direction at the point of the map, which becomes PointOnSurface in the first leaf.
-  dmg::PlacedDirection Place(vtkParallelTransport& filter)
+  dmg::PlacedDirection Place(vtkParallelTransport& filter, const dmg::FramedMesh& surface) const
   {
     const auto place = filter.UsePoint ? std::make_optional<dmg::Vector3>(filter.Point) : std::nullopt;
-    const dmg::PlacedDirection point = this->Surface.Place(place, dmg::Vector3(filter.Direction));
-    if (this->Places++ == 0)
+    const dmg::PlacedDirection point = dmg::PlaceDirection(surface, place, dmg::Vector3(filter.Direction));
+    if (this->Engines.IsFirstLeaf())
     {
       std::copy_n(point.Position.data(), 3, filter.PointOnSurface);
     }
@@ -60,10 +56,6 @@ public:
     }
     return point;
   }
-
-private:
-  int Places = 0; ///< of maps in this execution: one for each leaf of a composite dataset
-  int OpenExecutions = 0;
 };
 
 namespace
@@ -119,12 +111,10 @@ void DrawArrows(vtkAlgorithm* algorithm, vtkDataSet* surface, double distance, v
 
 //------------------------------------------------------------------------------
 vtkParallelTransport::vtkParallelTransport()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   std::fill_n(this->PointOnSurface, 3, NotANumber);
   this->SetNumberOfOutputPorts(3);
-  this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
 
 //------------------------------------------------------------------------------
@@ -151,13 +141,13 @@ void vtkParallelTransport::SetPointOfPanel(double x, double y, double z)
 //------------------------------------------------------------------------------
 int vtkParallelTransport::GetNumberOfSetups() const
 {
-  return this->Internals->Surface.Counts().Setups;
+  return this->Internals->Engines.Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkParallelTransport::GetNumberOfSolves() const
 {
-  return this->Internals->Surface.Counts().Solves;
+  return this->Internals->Engines.Counts().Solves;
 }
 
 //------------------------------------------------------------------------------
@@ -178,8 +168,12 @@ int vtkParallelTransport::RequestData(
       { "Arrow Distance", this->ArrowDistance, 0.0005, 1 }, { "Number Of Circles", this->NumberOfCircles, 0, 1000 } });
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
-    dmg::TransportSurface& surface = this->Internals->Surface;
-    surface.SetSurface(view.Prepared(), { this->TimeStep }, dmg::PartOfContext(context, 0.1, 0.2));
+    const dmg::FramedMesh& surface = view.Surface().Geometry;
+    const dmg::TransportOptions options{ this->TimeStep };
+    dmg::ParallelTransport& transport =
+      this->Internals->Engines.Of(view.Prepared()->Digest)
+        .Take(view.Prepared(), options,
+          [&] { return dmg::ParallelTransport(surface, options, dmg::PartOfContext(context, 0.1, 0.2)); });
     dmg::WarnOfPreparation(this, view.Repair());
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
 
@@ -187,18 +181,23 @@ int vtkParallelTransport::RequestData(
     const bool isPointSource = this->AddPoint || sources.AreEmpty();
     if (isPointSource || this->LogarithmicMap)
     {
-      const dmg::PlacedDirection point = this->Internals->Place(*this);
+      const dmg::PlacedDirection point = this->Internals->Place(*this, surface);
       if (isPointSource)
       {
         sources.AtVertices.push_back({ point.Vertex, point.Direction, 1.0 });
       }
       if (this->LogarithmicMap)
       {
-        surface.AddMap(point, this->TextureSize, this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2),
-          dmg::PartOfContext(context, 0.2, 0.7));
+        const dmg::PartOfContext part(context, 0.2, 0.7);
+        const dmg::Complex direction = surface.Vertices.ToComplex(point.Vertex, point.Direction);
+        dmg::WriteMap(transport.Map(point.Vertex, direction, part), point.Vertex, transport.Sides(), this->TextureSize,
+          this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2), part);
       }
     }
-    dmg::Warn(this, surface.AddVectors(sources, view, dmg::PartOfContext(context, 0.7, 0.9)));
+    dmg::CheckSizes(sources, view.Relation().Names());
+    const dmg::TransportedField field = transport.Carry(sources, dmg::PartOfContext(context, 0.7, 0.9));
+    dmg::WriteTransported(field, view, context);
+    dmg::Warn(this, field.Warnings);
     DrawArrows(this, view.Output(), this->ArrowDistance, vtkPolyData::GetData(outputVector, 1),
       dmg::PartOfContext(context, 0.9, 1.0));
   };
