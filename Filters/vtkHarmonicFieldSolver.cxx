@@ -5,9 +5,9 @@
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
-#include "Adapters/Pipeline/LeavesOfExecution.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/Surface/SolverOfSurface.h"
@@ -18,7 +18,6 @@
 #endif
 
 #include "PropertiesOfSolver.h"
-#include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -27,50 +26,23 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkHarmonicFieldSolver);
 
 class vtkHarmonicFieldSolver::vtkInternals
 {
 public:
-  /// The stages of a dataset, or of a leaf of a composite one.
-  struct Leaf
+  explicit vtkInternals(vtkAlgorithm* filter)
+    : Solvers(filter)
   {
-    dmg::SolverOfSurface Solver;
-    long long Bytes = 0; ///< of the solver
-  };
-
-  /// The executions of leaves begin and end within that of their composite dataset.
-  void BeginExecution()
-  {
-    if (this->OpenExecutions++ == 0)
-    {
-      this->Leaves.Begin([this](const Leaf& leaf) { this->Former = this->Former + leaf.Solver.Counts(); });
-    }
-  }
-  void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
-
-  /// Whether the dataset of this execution is a leaf of a composite one.
-  bool IsInLeaf() const { return this->OpenExecutions > 1; }
-
-  /// Leaves are added while the solvers of those before take less than a GiB.
-  Leaf& Of(const std::string& digest)
-  {
-    constexpr long long Limit = 1LL << 30;
-    long long bytes = 0;
-    this->Leaves.ForEach([&bytes](const Leaf& leaf) { bytes += leaf.Bytes; });
-    return this->Leaves.Of(digest, bytes < Limit);
   }
 
   dmg::StageCounts Counts() const
   {
-    dmg::StageCounts counts = this->Former;
 #ifdef DMG_PETSC
-    counts = counts + this->Pieces.Counts();
+    return this->Solvers.Counts() + this->Pieces.Counts();
+#else
+    return this->Solvers.Counts();
 #endif
-    this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Solver.Counts(); });
-    return counts;
   }
 
   /// Collective. \return the reason why the outputs are not made in pieces; empty where they are.
@@ -101,16 +73,12 @@ public:
 #endif
   }
 
+  dmg::Kept<dmg::SolverOfSurface> Solvers;
   dmg::ConstraintArrays GuideChoices; ///< SetGuideArrayToProcess
   std::string Followed;
 #ifdef DMG_PETSC
   dmg::SolverOfPieces Pieces;
 #endif
-
-private:
-  dmg::LeavesOfExecution<Leaf> Leaves;
-  dmg::StageCounts Former; ///< of leaves that are forgotten
-  int OpenExecutions = 0;
 };
 
 namespace
@@ -130,7 +98,7 @@ void WarnOfSoup(vtkAlgorithm* algorithm, const dmg::TriangleMesh& mesh)
 
 //------------------------------------------------------------------------------
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   const dmg::FieldProblem problem;
   this->Discretisation = static_cast<int>(problem.Options.Field.Kind);
@@ -160,8 +128,6 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   this->HarmonicBasis = problem.HarmonicBasis;
   this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(4);
-  this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
-  this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
 
 //------------------------------------------------------------------------------
@@ -311,8 +277,7 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldProperties properties = dmg::PropertiesOf(this, this->Internals->GuideChoices);
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     const std::string digest = dmg::ContentDigest(view.Data(), properties.Preparation);
-    vtkInternals::Leaf& leaf = this->Internals->Of(digest);
-    dmg::SolverOfSurface& kept = leaf.Solver;
+    dmg::SolverOfSurface& kept = this->Internals->Solvers.Of(digest);
     const dmg::FieldInputs inputs = dmg::InputsOf(properties, view.Given(), whole);
     kept.SetSurface(
       view.Data(), digest, properties.Problem.Options, properties.Preparation, dmg::PartOfContext(context, 0.0, 0.1));
@@ -321,10 +286,9 @@ int vtkHarmonicFieldSolver::RequestData(
     WarnOfSoup(this, view.Mesh());
 
     dmg::FieldProblem problem = dmg::ProblemOf(this, properties, inputs, view, kept.Solver());
-    problem.Guides.MayMiss = this->Internals->IsInLeaf();
+    problem.Guides.MayMiss = this->Internals->Solvers.IsInLeaf();
     const dmg::Field& field =
       kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), view.Relation().Names());
-    leaf.Bytes = field.Report.Bytes;
     dmg::Warn(this, field.Warnings);
     this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
     dmg::WriteField(view, field, kept.SetupSeconds(field), inputs, properties, this->Internals->Followed, outputVector,

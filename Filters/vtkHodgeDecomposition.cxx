@@ -8,6 +8,7 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/FlatMap.h"
@@ -40,7 +41,36 @@ constexpr double AxisOfMaps[3] = { 0.0, 0.0, 1.0 };
 class vtkHodgeDecomposition::vtkInternals
 {
 public:
-  dmg::FlowSurface Surface;
+  /// A decomposition is made with these; all else may change from flow to flow.
+  struct Setup
+  {
+    dmg::SolverOptions Solver;
+    bool IsGlobe = false;
+
+    friend bool operator==(const Setup& a, const Setup& b)
+    {
+      const auto& [solver, isGlobe] = a; // all members
+      return solver == b.Solver && isGlobe == b.IsGlobe;
+    }
+  };
+
+  explicit vtkInternals(vtkAlgorithm* filter)
+    : Engines(filter)
+  {
+  }
+
+  /// The decomposition for a surface.
+  dmg::HodgeDecomposition& Of(const dmg::SurfaceView& view, const Setup& setup)
+  {
+    return this->Engines.Of(view.Prepared()->Digest)
+      .Take(view.Prepared(), setup,
+        [&] {
+          return dmg::HodgeDecomposition(
+            view.Surface().Geometry, dmg::FlowBoundary::Closed, setup.Solver, setup.IsGlobe);
+        });
+  }
+
+  dmg::Kept<dmg::EngineOfSurface<dmg::HodgeDecomposition, Setup>> Engines;
 
   static void CheckProperties(const vtkHodgeDecomposition& filter)
   {
@@ -73,7 +103,7 @@ public:
 
 //------------------------------------------------------------------------------
 vtkHodgeDecomposition::vtkHodgeDecomposition()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -87,19 +117,19 @@ vtkHodgeDecomposition::~vtkHodgeDecomposition() = default;
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfSetups() const
 {
-  return this->Internals->Surface.Counts().Setups;
+  return this->Internals->Engines.Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfBases() const
 {
-  return this->Internals->Surface.Counts().Bases;
+  return this->Internals->Engines.Counts().Bases;
 }
 
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfSolves() const
 {
-  return this->Internals->Surface.Counts().Solves;
+  return this->Internals->Engines.Counts().Solves;
 }
 
 //------------------------------------------------------------------------------
@@ -138,11 +168,10 @@ int vtkHodgeDecomposition::RequestData(
     view.TakeIf<dmg::HiddenGaps>(!edges, arrays, "flow"); // last: twins of gaps are gaps
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
 
-    dmg::FlowSurface& surface = this->Internals->Surface;
     const dmg::SolverOptions solver = vtkInternals::SolverOf(*this, whole[0]->GetInformationObject(0));
-    surface.SetSurface(view.Prepared(), solver, isGlobe, dmg::PartOfContext(context, 0.05, 0.08));
+    dmg::HodgeDecomposition& decomposition = this->Internals->Of(view, { solver, isGlobe });
     const auto boundary = this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
-    surface.SetBoundary(dmg::OpenEdgesOf(dmg::ChoiceOf(this, 3), boundary, view));
+    decomposition.SetBoundary(dmg::OpenEdgesOf(dmg::ChoiceOf(this, 3), boundary, view));
     const dmg::FaceFlow flow = edges
       ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, view, context)
       : dmg::FlowFromArrays(view, arrays, dmg::PartOfContext(context, 0.08, 0.1));
@@ -150,9 +179,11 @@ int vtkHodgeDecomposition::RequestData(
     dmg::WarnOfPreparation(this, view.Repair());
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
     const dmg::FlowOptions outputs = vtkInternals::OutputsOf(*this, edges != nullptr);
-    dmg::Warn(this,
-      surface.Decompose(flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
-        vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.1, 1.0)));
+    const dmg::DecomposedFlow parts =
+      decomposition.Decompose(flow.Tangential, outputs.Parts, { 1e-11, 200 }, dmg::PartOfContext(context, 0.1, 0.8));
+    dmg::WriteFlow(parts, decomposition, flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
+      vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.8, 1.0));
+    dmg::Warn(this, parts.Warnings);
     dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
     dmg::Warn(this, view.Warnings());
   };

@@ -1,6 +1,7 @@
 #include "vtkParallelTransport.h"
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
+#include "Adapters/Input/PlacedDirection.h"
 #include "Adapters/Output/TransportToArrays.h"
 #include "Adapters/Pipeline/ChosenPoint.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
@@ -8,6 +9,7 @@
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/SurfaceView.h"
@@ -32,15 +34,18 @@ class vtkParallelTransport::vtkInternals
 {
 public:
   explicit vtkInternals(vtkParallelTransport* filter)
-    : Point(filter, filter->PointOnSurface)
+    : Engines(filter)
+    , Point(filter, filter->PointOnSurface)
   {
   }
 
+  dmg::Kept<dmg::EngineOfSurface<dmg::ParallelTransport, dmg::TransportOptions>> Engines;
+
   /// Direction at the point of the map, which becomes PointOnSurface in the first leaf.
-  dmg::PlacedDirection Place(vtkParallelTransport& filter)
+  dmg::PlacedDirection Place(vtkParallelTransport& filter, const dmg::FramedMesh& surface)
   {
     const auto place = filter.UsePoint ? std::make_optional<dmg::Vector3>(filter.Point) : std::nullopt;
-    const dmg::PlacedDirection point = this->Surface.Place(place, dmg::Vector3(filter.Direction));
+    const dmg::PlacedDirection point = dmg::PlaceDirection(surface, place, dmg::Vector3(filter.Direction));
     this->Point.Add(point.Position);
     if (!point.IsGiven)
     {
@@ -49,8 +54,6 @@ public:
     }
     return point;
   }
-
-  dmg::TransportSurface Surface;
 
 private:
   dmg::ChosenPoint Point;
@@ -136,13 +139,13 @@ void vtkParallelTransport::SetPointOfPanel(double x, double y, double z)
 //------------------------------------------------------------------------------
 int vtkParallelTransport::GetNumberOfSetups() const
 {
-  return this->Internals->Surface.Counts().Setups;
+  return this->Internals->Engines.Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkParallelTransport::GetNumberOfSolves() const
 {
-  return this->Internals->Surface.Counts().Solves;
+  return this->Internals->Engines.Counts().Solves;
 }
 
 //------------------------------------------------------------------------------
@@ -162,8 +165,12 @@ int vtkParallelTransport::RequestData(
       { "Arrow Distance", this->ArrowDistance, 0.0005, 1 }, { "Number Of Circles", this->NumberOfCircles, 0, 1000 } });
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
-    dmg::TransportSurface& surface = this->Internals->Surface;
-    surface.SetSurface(view.Prepared(), { this->TimeStep }, dmg::PartOfContext(context, 0.1, 0.2));
+    const dmg::FramedMesh& surface = view.Surface().Geometry;
+    const dmg::TransportOptions options{ this->TimeStep };
+    dmg::ParallelTransport& transport =
+      this->Internals->Engines.Of(view.Prepared()->Digest)
+        .Take(view.Prepared(), options,
+          [&] { return dmg::ParallelTransport(surface, options, dmg::PartOfContext(context, 0.1, 0.2)); });
     dmg::WarnOfPreparation(this, view.Repair());
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
 
@@ -171,18 +178,23 @@ int vtkParallelTransport::RequestData(
     const bool isPointSource = this->AddPoint || sources.AreEmpty();
     if (isPointSource || this->LogarithmicMap)
     {
-      const dmg::PlacedDirection point = this->Internals->Place(*this);
+      const dmg::PlacedDirection point = this->Internals->Place(*this, surface);
       if (isPointSource)
       {
         sources.AtVertices.push_back({ point.Vertex, point.Direction, 1.0 });
       }
       if (this->LogarithmicMap)
       {
-        surface.AddMap(point, this->TextureSize, this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2),
-          dmg::PartOfContext(context, 0.2, 0.7));
+        const dmg::PartOfContext part(context, 0.2, 0.7);
+        const dmg::Complex direction = surface.Vertices.ToComplex(point.Vertex, point.Direction);
+        dmg::WriteMap(transport.Map(point.Vertex, direction, part), point.Vertex, transport.Sides(), this->TextureSize,
+          this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2), part);
       }
     }
-    dmg::Warn(this, surface.AddVectors(sources, view, dmg::PartOfContext(context, 0.7, 0.9)));
+    dmg::CheckSizes(sources, view.Relation().Names());
+    const dmg::TransportedField field = transport.Carry(sources, dmg::PartOfContext(context, 0.7, 0.9));
+    dmg::WriteTransported(field, view, context);
+    dmg::Warn(this, field.Warnings);
     DrawArrows(this, view.Output(), this->ArrowDistance, vtkPolyData::GetData(outputVector, 1),
       dmg::PartOfContext(context, 0.9, 1.0));
   };

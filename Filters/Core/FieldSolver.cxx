@@ -428,4 +428,9 @@ StageCounts FieldSolver::Counts() const
   return this->Internal->Counts + this->Internal->Singular.Counts();
 }
 
+long long FieldSolver::Bytes() const
+{
+  return this->Internal->Last.Report.Bytes;
+}
+
 }

@@ -75,6 +75,8 @@ public:
   LinearSystem Equations(const ExecutionContext& context = SerialContext()) const;
 
   StageCounts Counts() const;
+  /// The memory of the last solver.
+  long long Bytes() const;
 
 private:
   class Internals;

@@ -66,7 +66,7 @@ ARROWS = {
     "Setup": {"Discretisations", "Solvers/Krylov", "Solvers", "StructurePreserving", "Levels", "Analysis", "Operators", "Mesh",
               "Support"},
     "Singularities": {"Setup", "Discretisations/Constraints", "Analysis", "Operators", "Mesh", "Support"},
-    "Flows": {"Setup", "Analysis", "Mesh", "Support"},
+    "Flows": {"Setup", "Analysis", "Directions", "Mesh", "Support"},
     "Geodesics": {"Constraints", "Drawing", "Solvers/Direct", "Operators", "Mesh", "Support"},
     "Scales": {"Setup", "Discretisations", "Solvers/Multigrid", "Solvers/Krylov", "Solvers", "Operators", "Mesh", "Support"},
     "Quads/Crosses": {"Constraints", "Solvers/Direct", "Analysis", "Directions", "Mesh", "Support"},

@@ -4,7 +4,6 @@
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PolyDataBuilder.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
-#include "Directions/PowerFieldDirections.h"
 #include "Drawing/ContourLines.h"
 #include "Support/Errors.h"
 
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace dmg
 {
@@ -29,9 +27,9 @@ using namespace ArrayNames;
 class FlowArrays
 {
 public:
-  FlowArrays(const SurfaceView& view, const Unfilled<Corner>& corners, const ExecutionContext& context)
+  FlowArrays(const SurfaceView& view, HodgeDecomposition& decomposition, const ExecutionContext& context)
     : View(view)
-    , Corners(corners)
+    , Decomposition(decomposition)
     , Context(context)
   {
   }
@@ -44,7 +42,7 @@ public:
     }
     const FramedMesh& on = this->View.Surface().Geometry;
     this->View.OfCells(this->Context).AddVectors(name, on.Faces, part);
-    const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
+    const Vector<Complex> atVertices = this->Decomposition.AtVertices(part, this->Context);
     this->View.OfPoints(this->Context).AddVectors(name, on.Vertices, atVertices);
   }
 
@@ -65,7 +63,7 @@ public:
 
 private:
   const SurfaceView& View;
-  const Unfilled<Corner>& Corners;
+  HodgeDecomposition& Decomposition;
   const ExecutionContext& Context;
 };
 
@@ -222,60 +220,19 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 
 }
 
-void FlowSurface::SetSurface(const std::shared_ptr<const PreparedDataSet>& surface, const SolverOptions& options,
-  bool isGlobe, const ExecutionContext& context)
-{
-  if (this->Prepared != surface)
-  {
-    const FramedMesh& on = surface->Geometry;
-    auto corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
-    this->Forget();
-    this->Prepared = surface;
-    this->CornersOfFaces = std::move(corners);
-  }
-  if (!this->Decomposition || !(this->Options == options) || this->IsGlobe != isGlobe)
-  {
-    this->Forget();
-    this->Decomposition.emplace(this->Prepared->Geometry, FlowBoundary::Closed, options, isGlobe);
-    this->Options = options;
-    this->IsGlobe = isGlobe;
-  }
-}
-
-void FlowSurface::Forget()
-{
-  this->FormerCounts = this->Counts();
-  this->Decomposition.reset();
-}
-
-HodgeDecomposition::StageCounts FlowSurface::Counts() const
-{
-  HodgeDecomposition::StageCounts counts = this->FormerCounts;
-  if (this->Decomposition)
-  {
-    const HodgeDecomposition::StageCounts now = this->Decomposition->Counts();
-    counts.Setups += now.Setups;
-    counts.Bases += now.Bases;
-    counts.Solves += now.Solves;
-  }
-  return counts;
-}
-
-std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options,
-  const SurfaceView& view, vtkPolyData* streamlines, vtkPolyData* boundaries, const ExecutionContext& context)
+void WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, const FaceFlow& flow,
+  const FlowOptions& options, const SurfaceView& view, vtkPolyData* streamlines, vtkPolyData* boundaries,
+  const ExecutionContext& context)
 {
   vtkDataSet* const output = view.Output();
-  const FramedMesh& on = this->Prepared->Geometry;
-  const StoppingCriteria stop{ 1e-11, 200 };
-  const DecomposedFlow parts =
-    this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
+  const FramedMesh& on = view.Surface().Geometry;
   const double scale = options.LengthScale;
-  const SidesOfSurface& sides = this->Decomposition->Sides();
+  const SidesOfSurface& sides = decomposition.Sides();
   AddPositiveSide(sides.Kinds, output->GetFieldData());
-  const FlowArrays arrays(view, this->CornersOfFaces, context);
+  const FlowArrays arrays(view, decomposition, context);
   arrays.AddPart(GradientPart, parts.Gradient);
   arrays.AddPart(RotationalPart, parts.Rotational);
-  context.Checkpoint(0.9);
+  context.Checkpoint(0.5);
   arrays.AddPart(HarmonicPart, parts.Harmonic);
   arrays.AddPart(Residual, parts.Residual);
   arrays.AddPart(SteeringFlow, parts.Steering);
@@ -292,15 +249,15 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
     arrays.AddFunction(Vorticity, Vector<double>(derivatives.Vorticity.cwiseProduct(sides.OfVertices)), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
-  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Prepared->Relation, scale);
+  AddBoundaries(arrays, parts, decomposition.Boundaries(), view.Relation(), scale);
   if (options.IsOfCentres)
   {
-    arrays.AddNumbers(BoundaryHalfCell, scale * HalfCells(on.Mesh, this->Decomposition->Boundaries()));
+    arrays.AddNumbers(BoundaryHalfCell, scale * HalfCells(on.Mesh, decomposition.Boundaries()));
   }
-  MakeBoundaries(on.Mesh, this->Decomposition->Boundaries(), parts, options, boundaries);
+  MakeBoundaries(on.Mesh, decomposition.Boundaries(), parts, options, boundaries);
   view.LinesBack(boundaries);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational || options.Parts.Steering;
-  AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
+  AddReport(parts, isSolved ? &decomposition.Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)
   {
     output->GetPointData()->SetActiveScalars(StreamFunction);
@@ -308,7 +265,6 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
     view.LinesBack(streamlines);
   }
   context.Checkpoint(1.0);
-  return parts.Warnings;
 }
 
 }

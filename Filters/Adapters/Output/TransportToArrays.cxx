@@ -4,8 +4,6 @@
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
-#include "Geodesics/VertexInFront.h"
-#include "Support/Errors.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,96 +11,21 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
 namespace dmg
 {
 
 using namespace ArrayNames;
 
-void TransportSurface::SetSurface(const std::shared_ptr<const PreparedDataSet>& surface,
-  const TransportOptions& options, const ExecutionContext& context)
+void WriteTransported(const TransportedField& field, const SurfaceView& view, const ExecutionContext& context)
 {
-  if (this->Prepared != surface)
-  {
-    this->Forget();
-    this->Prepared = surface;
-  }
-  if (!this->Transport || this->Options.TimeStep != options.TimeStep)
-  {
-    this->Forget();
-    this->Transport.emplace(this->Prepared->Geometry, options, context);
-    this->Options = options;
-  }
-}
-
-void TransportSurface::Forget()
-{
-  this->OfFormer = this->Counts();
-  this->Transport.reset();
-}
-
-ParallelTransport::StageCounts TransportSurface::Counts() const
-{
-  ParallelTransport::StageCounts counts = this->OfFormer;
-  if (this->Transport)
-  {
-    counts.Setups += this->Transport->Counts().Setups;
-    counts.Solves += this->Transport->Counts().Solves;
-  }
-  return counts;
-}
-
-namespace
-{
-
-/// The first of several.
-int NearestVertex(const TriangleMesh& mesh, const Vector3& place)
-{
-  if (!place.allFinite())
-  {
-    throw InvalidInput("Point is not finite; give three numbers");
-  }
-  int nearest = 0;
-  (mesh.VertexPositions().rowwise() - place.transpose()).rowwise().stableNorm().minCoeff(&nearest);
-  return nearest;
-}
-
-}
-
-PlacedDirection TransportSurface::Place(const std::optional<Vector3>& place, const Vector3& direction) const
-{
-  const double length = direction.stableNorm();
-  if (!(length > 0.0) || !std::isfinite(length))
-  {
-    throw InvalidInput("Direction is zero or not finite; give a vector along the surface");
-  }
-  constexpr double SmallestTangentialPart = 1e-6;
-  const TriangleMesh& mesh = this->Prepared->Geometry.Mesh;
-  const int vertex = place ? NearestVertex(mesh, *place) : VertexInFront(mesh);
-  PlacedDirection placed{ vertex, mesh.VertexPositions().row(vertex), direction, true };
-  const TangentFrames& frames = this->Prepared->Geometry.Vertices;
-  if (std::abs(frames.ToComplex(placed.Vertex, direction)) <= SmallestTangentialPart * length)
-  {
-    placed.Direction = length * frames.X.row(placed.Vertex).transpose();
-    placed.IsGiven = false;
-  }
-  return placed;
-}
-
-std::vector<std::string> TransportSurface::AddVectors(
-  const Constraints& sources, const SurfaceView& view, const ExecutionContext& context)
-{
-  const FramedMesh& on = this->Prepared->Geometry;
-  CheckSizes(sources, view.Relation().Names());
-  const TransportedField field = this->Transport->Carry(sources, context);
+  const FramedMesh& on = view.Surface().Geometry;
   view.OfCells(context).AddVectors(TransportedVectors, on.Faces, field.OnFaces);
   view.OfPoints(context).AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
   view.Output()->GetPointData()->SetActiveVectors(TransportedVectors);
   AddNumber(view.Output()->GetFieldData(), PointsWithoutSource, field.WithoutSource);
-  return field.Warnings;
 }
 
 namespace
@@ -129,13 +52,10 @@ void MakeCircles(const TriangleMesh& mesh, const Vector<double>& distances, int 
 
 }
 
-void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, int numberOfCircles,
-  const SurfaceView& view, vtkPolyData* circles, const ExecutionContext& context)
+void WriteMap(const dmg::LogarithmicMap& map, int vertex, const SidesOfSurface& sides, double textureSize,
+  int numberOfCircles, const SurfaceView& view, vtkPolyData* circles, const ExecutionContext& context)
 {
   vtkDataSet* const output = view.Output();
-  const FramedMesh& on = this->Prepared->Geometry;
-  const dmg::LogarithmicMap map =
-    this->Transport->Map(from.Vertex, on.Vertices.ToComplex(from.Vertex, from.Direction), context);
   const ArraysOfPoints arrays = view.OfPoints(context, std::numeric_limits<double>::quiet_NaN());
   const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
   const double size = textureSize > 0.0 ? textureSize : 2.0 * KnownDistances(map.Distances).maxCoeff();
@@ -152,9 +72,9 @@ void TransportSurface::AddMap(const PlacedDirection& from, double textureSize, i
   }
   output->GetPointData()->SetActiveScalars(GeodesicDistance);
   output->GetPointData()->SetActiveTCoords(TextureCoordinates);
-  AddNumber(output->GetFieldData(), MapPoint, view.Relation().PointOf(from.Vertex));
+  AddNumber(output->GetFieldData(), MapPoint, view.Relation().PointOf(vertex));
   AddNumber(output->GetFieldData(), PointsWithoutMap, map.Unreached);
-  MakeCircles(on.Mesh, KnownDistances(map.Distances), numberOfCircles, this->Transport->Sides(), circles, context);
+  MakeCircles(view.Mesh(), KnownDistances(map.Distances), numberOfCircles, sides, circles, context);
   view.LinesBack(circles);
 }
 

@@ -21,11 +21,11 @@ class LeavesOfExecution
 {
 public:
   /// Another execution: the next leaf is its first one. Calls \p forget for the values of leaves that the last execution did
-  /// not have, before they go.
+  /// not have, before they go; one that had none at all, as where a property was out of its range, takes none away.
   template <class Forget>
   void Begin(const Forget& forget)
   {
-    const std::size_t size = std::min(this->Leaves.size(), this->Next);
+    const std::size_t size = this->Next == 0 ? this->Leaves.size() : std::min(this->Leaves.size(), this->Next);
     for (std::size_t i = size; i < this->Leaves.size(); ++i)
     {
       forget(*this->Leaves[i].Result);

@@ -63,7 +63,7 @@ std::shared_ptr<const PreparedDataSet> PrepareDataSet(
   }
   SurfaceMesh mesh = MeshFromDataSet(surface, options, context);
   auto prepared = std::make_shared<const PreparedDataSet>(PreparedDataSet{
-    FramedMesh(std::move(mesh.Mesh), context), std::move(static_cast<SurfaceRelation&>(mesh)), mesh.Report });
+    FramedMesh(std::move(mesh.Mesh), context), std::move(static_cast<SurfaceRelation&>(mesh)), mesh.Report, digest });
   Held().Add(key, prepared);
   return prepared;
 }

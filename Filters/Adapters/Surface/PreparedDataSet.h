@@ -21,6 +21,7 @@ struct PreparedDataSet
   FramedMesh Geometry;
   SurfaceRelation Relation;
   PreparationReport Report;
+  std::string Digest; ///< ContentDigest
 
   FramedSurface Surface() const { return { this->Geometry, this->Relation }; }
 };

@@ -9,7 +9,6 @@
 #include "vtkDataSet.h"
 
 #include <optional>
-#include <utility>
 
 namespace dmg
 {
@@ -27,18 +26,16 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
   // Operators that are stored number the elements as the input does.
   const Numbering order = stored ? Numbering::AsGiven : Numbering::Spatial;
   const Stopwatch watch;
-  auto prepared = PrepareDataSet(input, digest, { order, preparation.JoinPoints, preparation.Strict }, context);
-  if (this->Prepared != prepared)
+  const auto prepared = PrepareDataSet(input, digest, { order, preparation.JoinPoints, preparation.Strict }, context);
+  if (!this->Engine.IsOn(prepared))
   {
-    auto solver = std::make_unique<FieldSolver>(std::shared_ptr<const FramedMesh>(prepared, &prepared->Geometry));
-    this->FormerCounts = this->Counts();
     this->OperatorsByOrigin.clear();
     this->OperatorsSeconds = 0.0;
-    this->SolverOfMesh = std::move(solver);
-    this->Prepared = std::move(prepared);
+    this->Engine.Take(
+      prepared, {}, [&] { return FieldSolver(std::shared_ptr<const FramedMesh>(prepared, &prepared->Geometry)); });
     this->SurfaceSeconds = watch.Seconds();
   }
-  this->SolverOfMesh->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
+  this->Engine->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
 }
 
 /// The operators that the input brings along.
@@ -53,19 +50,14 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
     }
   }
   const Stopwatch watch;
-  const std::vector<char>& isTurned = this->Prepared->Relation.Turned();
-  const bool isFirst = this->SolverOfMesh->Counts().Setups == 0; // then the solver counts it
+  const std::vector<char>& isTurned = this->Engine.Surface().Relation.Turned();
+  const bool isFirst = this->Engine->Counts().Setups == 0; // then the solver counts it
   this->OperatorsByOrigin.emplace_back(origin,
     std::make_shared<const ProlongationOperators>(
-      SeenFromOtherSide(OperatorsFromFieldData(input->GetFieldData(), this->SolverOfMesh->Surface().Mesh), isTurned)));
+      SeenFromOtherSide(OperatorsFromFieldData(input->GetFieldData(), this->Engine->Surface().Mesh), isTurned)));
   this->OperatorsSeconds = watch.Seconds();
-  this->FormerCounts.Setups += isFirst ? 0 : 1;
+  this->ReadOperators.Setups += isFirst ? 0 : 1;
   return this->OperatorsByOrigin.back().second;
-}
-
-StageCounts SolverOfSurface::Counts() const
-{
-  return this->SolverOfMesh ? this->FormerCounts + this->SolverOfMesh->Counts() : this->FormerCounts;
 }
 
 double SolverOfSurface::SetupSeconds(const Field& field) const

@@ -1,8 +1,8 @@
 #ifndef dmgSolverOfSurface_h
 #define dmgSolverOfSurface_h
 
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
-#include "Adapters/Surface/PreparedDataSet.h"
 #include "FieldSolver.h"
 #include "Support/ExecutionContext.h"
 
@@ -16,8 +16,7 @@ class vtkDataSet;
 namespace dmg
 {
 
-/// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
-/// the surface brings along. Keys are contents, not modification times.
+/// A FieldSolver for the surface of a dataset, and the operators that the surface brings along.
 class SolverOfSurface
 {
 public:
@@ -28,27 +27,32 @@ public:
   void SetSurface(vtkDataSet* input, const std::string& digest, const FieldOptions& options,
     const PreparationOptions& preparation, const ExecutionContext& context);
 
-  FieldSolver& Solver() { return *this->SolverOfMesh; }
-  const FieldSolver& Solver() const { return *this->SolverOfMesh; }
-  FramedSurface Surface() const { return this->Prepared->Surface(); }
+  FieldSolver& Solver() const { return *this->Engine; }
+  FramedSurface Surface() const { return this->Engine.Surface().Surface(); }
   /// The changes that made the surface a mesh.
-  const PreparationReport& Preparation() const { return this->Prepared->Report; }
+  const PreparationReport& Preparation() const { return this->Engine.Surface().Report; }
   /// The sum over the surface, its operators, and the set-up of a field on it.
   double SetupSeconds(const Field& field) const;
 
   /// Over all surfaces.
-  StageCounts Counts() const;
+  StageCounts Counts() const { return this->Engine.Counts() + this->ReadOperators; }
+  long long Bytes() const { return this->Engine.Bytes(); }
 
 private:
   std::shared_ptr<const ProlongationOperators> Operators(vtkDataSet* input, const OperatorsOrigin& origin);
 
-  std::shared_ptr<const PreparedDataSet> Prepared; ///< of the solver
-  std::unique_ptr<FieldSolver> SolverOfMesh;
+  /// One solver takes all options.
+  struct NoOptions
+  {
+    friend bool operator==(const NoOptions&, const NoOptions&) { return true; }
+  };
+
+  EngineOfSurface<FieldSolver, NoOptions> Engine;
   /// All operators of this surface that were read, by their origin.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> OperatorsByOrigin;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;
-  StageCounts FormerCounts;
+  StageCounts ReadOperators; ///< set-ups that the solver has not counted
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Flows/HodgeDecomposition.h"
 
+#include "Directions/PowerFieldDirections.h"
 #include "Flows/HarmonicFlows.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
@@ -76,6 +77,7 @@ public:
   const Vector<double> Areas;
   FlowPotentials Potentials;
   std::optional<Eigen::MatrixXd> Basis;
+  std::optional<Unfilled<Corner>> CornersOfFaces;
   int Bases = 0;
   int Solves = 0;
 
@@ -250,6 +252,17 @@ const Eigen::MatrixXd& HodgeDecomposition::HarmonicBasis(const ExecutionContext&
 {
   this->Internal->MakeBasis(context);
   return *this->Internal->Basis;
+}
+
+Vector<Complex> HodgeDecomposition::AtVertices(const Vector<Complex>& part, const ExecutionContext& context)
+{
+  const FramedMesh& on = this->Internal->Geometry;
+  std::optional<Unfilled<Corner>>& corners = this->Internal->CornersOfFaces;
+  if (!corners)
+  {
+    corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
+  }
+  return PowersAtVertices(on.Mesh, *corners, part, 1, context);
 }
 
 const std::vector<BoundaryPart>& HodgeDecomposition::Boundaries() const

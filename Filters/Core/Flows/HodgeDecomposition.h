@@ -94,6 +94,8 @@ public:
 
   /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
+  /// A part at the vertices, in their frames: the mean of the faces around, by angle.
+  Vector<Complex> AtVertices(const Vector<Complex>& part, const ExecutionContext& context = SerialContext());
   /// The loops of the boundary; of those that are partly open, their arcs.
   const std::vector<BoundaryPart>& Boundaries() const;
   /// The positive side, by which vorticity, stream functions and circulations have their signs.
@@ -106,8 +108,15 @@ public:
     int Setups = 0; ///< of solvers on the surface
     int Bases = 0;  ///< of harmonic fields or of stream functions of coasts
     int Solves = 0; ///< for potentials and stream functions
+
+    friend StageCounts operator+(const StageCounts& a, const StageCounts& b)
+    {
+      return { a.Setups + b.Setups, a.Bases + b.Bases, a.Solves + b.Solves };
+    }
   };
   StageCounts Counts() const;
+  /// The memory of the last solver.
+  long long Bytes() const { return this->Report().Bytes; }
 
 private:
   class Internals;

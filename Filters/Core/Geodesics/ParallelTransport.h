@@ -20,6 +20,12 @@ struct TransportOptions
   /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1000. With longer times heat
   /// takes more ways beside the shortest one. With shorter ones the edges of the mesh bend its way.
   double TimeStep = 2.0;
+
+  friend bool operator==(const TransportOptions& a, const TransportOptions& b)
+  {
+    const auto& [timeStep] = a; // all members
+    return timeStep == b.TimeStep;
+  }
 };
 
 /// A vector field that was carried from its sources.
@@ -90,6 +96,11 @@ public:
   {
     int Setups = 0;
     int Solves = 0;
+
+    friend StageCounts operator+(const StageCounts& a, const StageCounts& b)
+    {
+      return { a.Setups + b.Setups, a.Solves + b.Solves };
+    }
   };
   StageCounts Counts() const;
 
