@@ -201,7 +201,7 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
   const auto distance = vtkSmartPointer<vtkSurfaceDistance>::New();
   distance->SetInputData(input);
   distance->AddInputDataObject(1, Given(Torus(12, 8))); // its points, brought to the surface
-  distance->AddInputDataObject(2, Given(Torus(6, 4)));
+  distance->AddInputDataObject(2, PolyDataOf(Torus(6, 4)));
   all.push_back(distance);
   const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
     vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),

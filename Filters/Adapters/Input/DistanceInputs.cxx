@@ -33,17 +33,18 @@ using Segments = std::vector<std::pair<vtkIdType, vtkIdType>>;
 /// Joins segments at points where one of them ends and one begins. \return closed ones have their first point again at their end.
 std::vector<Polyline> Joined(const Segments& segments)
 {
-  std::map<vtkIdType, std::vector<std::size_t>> from; // segments that begin at a point
-  std::map<vtkIdType, int> ends;
+  std::map<vtkIdType, std::size_t> from; // a segment that begins at a point
+  std::map<vtkIdType, int> beginnings, ends;
   for (std::size_t k = 0; k < segments.size(); ++k)
   {
-    from[segments[k].first].push_back(k);
+    from[segments[k].first] = k;
+    ++beginnings[segments[k].first];
     ++ends[segments[k].second];
   }
   const auto next = [&](vtkIdType point)
   {
-    const auto found = from.find(point);
-    return found != from.end() && found->second.size() == 1 && ends[point] == 1 ? found->second[0] : segments.size();
+    const bool goesOn = beginnings[point] == 1 && ends[point] == 1;
+    return goesOn ? from[point] : segments.size();
   };
   std::vector<char> isTaken(segments.size(), 0);
   std::vector<Polyline> lines;
