@@ -24,6 +24,8 @@ constexpr double MostQuads = 1e7;
 constexpr double ToleranceOfNumber = 0.05;
 
 constexpr int MostTries = 2;
+/// There are no more tries for the number where halved edges make so many times the quads that are wanted: longer ones would be halved, too.
+constexpr double LargestExcess = 1.5;
 
 double PartOf(int attempt)
 {
@@ -49,7 +51,7 @@ public:
     {
       this->TryShorterEdges(best, PartOfContext(context, 0.4, 0.8));
     }
-    else if (this->Options.EdgeLength == 0.0)
+    else if (this->Options.EdgeLength == 0.0 && !(best.Number > 0 && this->RatioToWanted(best) > LargestExcess))
     {
       this->TryForNumber(best, PartOfContext(context, 0.4, 0.8));
     }
