@@ -121,7 +121,7 @@ public:
 
   ///@{
   /**
-   * Radius of the balls of port 2, over the length of edges. Default 0.25, range 0 to 10.
+   * Radius of the balls of port 2, over the length of edges. Default 0.5, range 0 to 10.
    */
   vtkSetMacro(BallRadius, double);
   vtkGetMacro(BallRadius, double);
@@ -144,7 +144,7 @@ private:
   bool AlignSharpEdges = true;
   double FeatureAngle = 30.0;
   int SmoothingSteps = 6;
-  double BallRadius = 0.25;
+  double BallRadius = 0.5;
 };
 
 #endif

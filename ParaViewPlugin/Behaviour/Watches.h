@@ -22,12 +22,13 @@ void WatchFollowed(vtkSMProxy* filter);
 void WatchGuidesFirst(vtkSMProxy* filter);
 
 /// "GuidesOnce". The panel has a list for each guide, and each list offers all sources. Where somebody chooses a source in one list that
-/// another list has chosen, the other list gives it up. Lists are the inputs whose hints have the element ChosenOnce.
+/// another list has chosen, the other list gives it up. A source that goes from list to list takes its number of Guide Weights with it, and
+/// keeps its arrow in the pipeline. Lists are the inputs whose hints have the element ChosenOnce.
 void WatchGuidesOnce(vtkSMProxy* filter);
 
 /// "DeletedInputs". ParaView keeps a source alive that is deleted while a filter has it as an input: the panel no longer shows it, and the
-/// filter goes on to use it. The window allows this for sources that were moved from one input property to another. So sources that are
-/// deleted are taken out of the inputs of the filter's further ports.
+/// filter goes on to use it. Scripts allow this, and windows with a state file of theirs. So sources that are deleted are taken out of the
+/// inputs of the filter's further ports.
 void WatchDeletedInputs(vtkSMProxy* filter);
 
 /// "ChosenPoint". After an update in which a filter has chosen its point itself, as that of a logarithmic map, the property Point, and with it the
@@ -38,7 +39,8 @@ void WatchChosenPoint(vtkSMProxy* filter);
 /// somebody changes it.
 void WatchCenteredColors(vtkSMProxy* filter);
 
-/// "CyclicColors". The colours of Angle span the property Period around zero, unless somebody changes the interval.
+/// "CyclicColors". The colours of Angle span the property Period around zero, unless somebody changes the interval. Their bar has a title with
+/// the unit, and whole numbers.
 void WatchCyclicColors(vtkSMProxy* filter);
 
 /// Has the filters of all sessions watched, of this time and to come. The plugin calls it when it is loaded.

@@ -36,7 +36,8 @@ class FirstContact(unittest.TestCase):
     def test_kinds_of_fields_have_filters(self):
         self.assertEqual(simple.VectorField(Input=sphere()).Discretisation, "Face Field")
         for kind, number in ((simple.CrossField, 4), (simple.LineField, 2), (simple.FibreOrientation, 2), (simple.FiberOrientation, 2),
-                             (simple.FibreOrientation, 2), (simple.VectorField, 1)):
+                             (simple.FibreOrientation, 2), (simple.VectorField, 1), (simple.FrameOrRosyFieldOfCrosses, 4),
+                             (simple.SmoothHatchingLines, 2), (simple.NematicFieldAndDefects, 2)):
             field = kind(Input=sphere())
             field.UpdatePipeline()
             report = simple.servermanager.Fetch(field, idx=0).GetFieldData()
@@ -45,11 +46,12 @@ class FirstContact(unittest.TestCase):
         # Ctrl+Space finds filters all of whose words are in their label.
         labels = {proxy.GetXMLLabel().lower() for proxy in (getattr(simple, name)(Input=sphere()).SMProxy for name in (
             "CrossField", "LineField", "VectorField", "FibreOrientation", "FiberOrientation", "DirectionalField", "FieldLines", "QuadRemeshing",
-            "SurfaceStreamlines", "GeodesicDistance", "SurfaceDistance", "ShortestPathOnSurface", "OffsetLines", "TextureAroundPoint", "HelmholtzDecomposition", "DivergenceAndVorticity",
-            "TensorAndStressDirections"))}
-        words = ("cross field", "line field", "fibre", "fiber", "vector field", "orientation", "quad", "remesh", "stream", "geodesic", "distance", "surface distance", "shortest path",
-                 "offset", "texture",
-                 "helmholtz", "divergence", "vorticity", "tensor", "stress")
+            "SurfaceStreamlines", "GeodesicDistance", "SurfaceDistance", "ShortestPathOnSurface", "OffsetLines", "TextureAroundPoint",
+            "HelmholtzDecomposition", "DivergenceAndVorticity", "TensorAndStressDirections", "FrameOrRosyFieldOfCrosses", "SmoothHatchingLines",
+            "NematicFieldAndDefects", "OceanCurrentsAndWind", "CurvatureDirections"))}
+        words = ("cross field", "line field", "fibre", "fiber", "vector field", "orientation", "quad", "remesh", "stream", "geodesic", "distance",
+                 "surface distance", "shortest path", "offset", "texture", "helmholtz", "divergence", "vorticity", "tensor", "stress", "frame",
+                 "hatch", "crosses", "ocean", "wind", "rosy", "curvature", "smooth", "nematic", "defect")
         for word in words:
             self.assertTrue(any(all(part in label for part in word.split()) for label in labels), word)
 
@@ -153,6 +155,9 @@ class FirstContact(unittest.TestCase):
         display = show(angles)
         points = np.reshape(simple.GetColorTransferFunction("Angle").RGBPoints, (-1, 4))
         self.assertEqual((points[0, 0], points[-1, 0]), (-90, 90))
+        bar = simple.GetScalarBar(display.LookupTable, simple.GetActiveView())
+        display.SetScalarBarVisibility(simple.GetActiveView(), True)
+        self.assertEqual((bar.Title, bar.ComponentTitle, bar.RangeLabelFormat), ("Angle (degrees)", "", "%.0f"))
         self.assertLess(np.abs(points[0, 1:] - points[-1, 1:]).max(), 0.1)
         self.assertGreater(np.ptp(points[:, 1:], axis=0).min(), 0.3)
         # Crosses have half of that. What somebody has chosen stays.

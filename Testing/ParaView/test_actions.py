@@ -196,11 +196,13 @@ def draw_strokes(window):
     of_second = prescribed(second) > 1.001 * prescribed(first)
     assert np.allclose(prescribed(alone)[of_second & (prescribed(first) == 0)],
                        0.25 * prescribed(second)[of_second & (prescribed(first) == 0)])
-    # Chosen in the first list, it is no longer in the second one; deleted, it is followed no more.
-    moved = window.play("moved", window.set("Guides/1QComboBox0", "PolyLineSource2"), window.apply(), window.look_at("/0/0/0"))
+    # Chosen in the first list, it is no longer in the second one, and keeps its weight, its arrow in the pipeline (the field is below none
+    # of its two inputs) and the selection.
+    moved = window.play("moved", window.set("Guides/1QComboBox0", "PolyLineSource2"), window.apply())
     assert taken(moved) == 1 and "more than once" not in window.log.read_text()
-    bare = window.play("bare", window.look_at("/0/2"), window.opened(f"{MAIN}/menubar/menu_Edit/actionDelete", ""),
-                       window.look_at("/0/0/0"), window.apply())
+    assert np.allclose(prescribed(moved), prescribed(alone))
+    assert taken(window.play("arrow", window.look_at("/0/2"), window.look_at("/0/3"))) == 1
+    bare = window.play("bare", window.set("Guides/1QComboBox0", "(none)"), window.apply())
     assert not bare.GetFieldData().HasArray("GuidesTaken")
 
 
