@@ -153,7 +153,7 @@ int vtkHodgeDecomposition::RequestData(
     dmg::Warn(this,
       surface.Decompose(flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
         vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.1, 1.0)));
-    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
+    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()), flow.Warning });
     dmg::Warn(this, view.Warnings());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

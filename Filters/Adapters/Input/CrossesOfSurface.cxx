@@ -13,6 +13,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dmg
 {
@@ -49,15 +51,54 @@ Vector<Complex> FourthPowers(const Vector<Complex>& directions)
   return powers;
 }
 
-Vector<Complex> FromArrays(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
+/// Fourth powers of the smoothest crosses that follow constraints on faces and the features of the options.
+Vector<Complex> SmoothestThatFollow(std::vector<Constraint>&& onFaces, const SurfaceView& view,
+  const QuadOptions& options, const ExecutionContext& context)
 {
-  const SurfaceWithField given = ReadField(algorithm, view, N, context);
+  FieldSolver solver(std::shared_ptr<const FramedMesh>(view.Prepared(), &view.Prepared()->Geometry));
+  FieldProblem problem;
+  problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
+  problem.Constraints.OnFaces = std::move(onFaces);
+  problem.UnitLengthWhileSmoothing = true;
+  return FourthPowers(solver.Solve(problem, context, view.Relation().Names()).OnFaces);
+}
+
+/// Gives the faces without a power those of the smoothest crosses that follow the others.
+void FillGaps(
+  Vector<Complex>& powers, const SurfaceView& view, const QuadOptions& options, const ExecutionContext& context)
+{
+  std::vector<Constraint> given;
+  for (int face = 0; face < powers.size(); ++face)
+  {
+    if (powers[face] != 0.0)
+    {
+      const Complex direction = std::polar(1.0, 0.25 * std::arg(powers[face]));
+      given.push_back({ face, view.Surface().Geometry.Faces.ToVector(face, direction), WeightOfAligned });
+    }
+  }
+  if (static_cast<Eigen::Index>(given.size()) == powers.size())
+  {
+    return;
+  }
+  const Vector<Complex> smoothest = SmoothestThatFollow(std::move(given), view, options, context);
+  for (Eigen::Index face = 0; face < powers.size(); ++face)
+  {
+    powers[face] = powers[face] != 0.0 ? powers[face] : smoothest[face];
+  }
+}
+
+Vector<Complex> FromArrays(
+  vtkAlgorithm* algorithm, SurfaceView& view, int N, const QuadOptions& options, const ExecutionContext& context)
+{
+  const SurfaceWithField given = ReadField(algorithm, view, N, PartOfContext(context, 0.0, 0.3));
   if (4 % given.Field.N() != 0)
   {
     throw WrongChoice("quads have no edges along a field of " + std::to_string(given.Field.N()) +
       " directions; choose one of 4, or of 1 or 2, whose lines are one of both");
   }
-  return FourthPowers(given.Field.First());
+  Vector<Complex> powers = FourthPowers(given.Field.First());
+  FillGaps(powers, view, options, PartOfContext(context, 0.3, 1.0));
+  return powers;
 }
 
 Vector<Complex> Smoothest(
@@ -65,16 +106,10 @@ Vector<Complex> Smoothest(
 {
   view.Prepare(PreparationOf(view.Data()), PartOfContext(context, 0.0, 0.2));
   WarnOfPreparation(algorithm, view.Repair());
-  FieldSolver solver(std::shared_ptr<const FramedMesh>(view.Prepared(), &view.Prepared()->Geometry));
-  FieldProblem problem;
-  problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
-  if (options.AlignSharpEdges)
-  {
-    problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
-  }
-  problem.UnitLengthWhileSmoothing = true;
-  const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), view.Relation().Names());
-  return FourthPowers(field.OnFaces);
+  return SmoothestThatFollow(options.AlignSharpEdges
+      ? AlongSharpLines(view.Surface().Geometry, options, WeightOfAligned)
+      : std::vector<Constraint>(),
+    view, options, PartOfContext(context, 0.2, 1.0));
 }
 
 }
@@ -82,7 +117,7 @@ Vector<Complex> Smoothest(
 Vector<Complex> CrossesOf(
   vtkAlgorithm* algorithm, SurfaceView& view, int N, const QuadOptions& options, const ExecutionContext& context)
 {
-  return IsFieldChosen(algorithm, view.Given()) ? FromArrays(algorithm, view, N, context)
+  return IsFieldChosen(algorithm, view.Given()) ? FromArrays(algorithm, view, N, options, context)
                                                 : Smoothest(algorithm, view, options, context);
 }
 

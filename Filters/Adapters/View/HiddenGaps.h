@@ -18,6 +18,8 @@ public:
   /// \param vectors of the dataset. \param what their name in messages, as in "flow".
   /// \throw InvalidInput all cells would be hidden; as SuspectedFillValues.
   HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what);
+  /// Hides these cells, by cell. \pre not all of them.
+  HiddenGaps(vtkDataSet* dataset, const std::vector<char>& isHidden);
 
   void ArrayBack(const AddedArray& array, const SurfaceRelation& relation) const override;
   void Report(vtkFieldData* fieldData) const override;
@@ -25,6 +27,7 @@ public:
   std::string Warning(const TriangleMesh&) const override { return this->Suspicion; }
 
 private:
+  void Hide(vtkDataSet* dataset, const std::vector<char>& isHidden);
   std::vector<vtkIdType> PointsBeside(const SurfaceRelation& relation) const;
 
   std::vector<vtkIdType> Cells; ///< that are hidden
