@@ -13,7 +13,7 @@
  *
  * Port 0: a surface with a field as vtkFieldDrawingAlgorithm describes it. Without a choice and without an array Direction0, the smoothest
  * cross field is found. A field of 4 directions is a cross field. Of a field of 1 or 2, as vectors or principal directions, edges run
- * along the lines and across. Others are refused. Where the field is zero, the smoothest one fills the gap.
+ * along the lines and across. Others are refused. Where it has gaps, as masked data have, the smoothest one fills them.
  *
  *   SetInputArrayToProcess(1, 0, 0, association, name)
  *

@@ -56,7 +56,8 @@ vtkFieldSingularities::vtkFieldSingularities()
 int vtkFieldSingularities::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+  return dmg::DrawField(
+    this, request, inputVector, outputVector, this->NumberOfDirections,
     { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
@@ -67,7 +68,8 @@ int vtkFieldSingularities::RequestData(
         this->SphereRadius * given.View.Given()->GetLength(), vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
-    });
+    },
+    dmg::GapsInField::AreHoles);
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,9 @@
  *
  * @section vtkFieldSingularities-Inputs Inputs
  *
- * On triangles without a direction indices mean nothing, but still have their sum.
+ * Cells without a direction (zero or NaN), as where data are masked, are holes of the surface: each has a loop of the boundary with its
+ * index, and the Euler characteristic is that of the rest. One that is alone has the direction of a cell beside it, as in the middle of a
+ * vortex.
  *
  * @section vtkFieldSingularities-Outputs Outputs
  *

@@ -184,7 +184,7 @@ int vtkHodgeDecomposition::RequestData(
     dmg::WriteFlow(parts, decomposition, flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
       vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.8, 1.0));
     dmg::Warn(this, parts.Warnings);
-    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
+    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()), flow.Warning });
     dmg::Warn(this, view.Warnings());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

@@ -19,7 +19,7 @@
  *   the neighbours.
  *
  * A cell with a number that is NaN, or with such a point, has no flow, as land: it takes no part, and is NaN in what comes out. Fill
- * values (1e20, -9999, infinite) far from the others are an error or a warning. Vectors of a cell stand at the mean of its corners.
+ * values (1e20, -9999, infinite) far from the others are an error or a warning. Vectors of a cell stand at the mean of its corners, each as often as it is written.
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the

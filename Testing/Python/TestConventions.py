@@ -6,16 +6,17 @@ import unittest
 import warnings
 
 import numpy as np
-from directionalmultigrid import (FieldError, FieldWarning, distance, hodge, smooth_field, transport, update, write_raw_field, write_rosy,
+from directionalmultigrid import (FieldError, FieldWarning, distance, hodge, quads, smooth_field, transport, update, write_raw_field, write_rosy,
                                   write_sharp)
-from directionalmultigrid.vtkFiltersDirectionalFields import (vtkFieldAngles, vtkFieldLines, vtkHarmonicFieldSolver, vtkHodgeDecomposition,
-                                                             vtkPrincipalDirections)
+from directionalmultigrid.vtkFiltersDirectionalFields import (vtkFieldAngles, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver,
+                                                             vtkHodgeDecomposition, vtkPrincipalDirections)
 from surfaces import add, surface, values
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPlane, vtkPolyData, vtkRectilinearGrid,
                                            vtkStructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCutter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCutter, vtkDelaunay3D
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkTexturedSphereSource
 
 
@@ -155,7 +156,9 @@ class Sides(unittest.TestCase):
             eastward = np.einsum("ij,ij->i", along, east)[north] / speed[north] / np.linalg.norm(along[north], axis=1)
             np.testing.assert_allclose(eastward, -1, atol=0.01)  # with the surface on the left
             add(grid.GetPointData(), "Outwards", 0.8 * xyz + east)
-            outwards = values(hodge(grid, "Outwards").GetCellData(), "NormalComponent")
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", FieldWarning)  # the part along the normal is told at the rims
+                outwards = values(hodge(grid, "Outwards").GetCellData(), "NormalComponent")
             self.assertLess(np.abs(np.median(outwards) - 0.8), 0.01)
             bent = vtkPrincipalDirections()
             bent.SetInputData(grid)
@@ -221,6 +224,150 @@ class Derivatives(unittest.TestCase):
         result = hodge(data, "U", Boundary="Open").GetPointData()
         np.testing.assert_allclose(values(result, "Vorticity"), 4, atol=1e-9)
         np.testing.assert_allclose(values(result, "Divergence"), 2, atol=1e-9)
+
+
+class Gaps(unittest.TestCase):
+    """Directions that were not measured, NaN or zero: a hole in the data is a loop with an index, as a boundary is."""
+
+    def square(self, directions, hole, on_points=True, n=40):
+        at = np.array([[i, j, 0.0] for j in range(n) for i in range(n)]) * 2 / (n - 1) - [1, 1, 0]
+        triangles = np.array([t for j in range(n - 1) for i in range(n - 1) for a in [j * n + i]
+                              for t in ((a, a + 1, a + n + 1), (a, a + n + 1, a + n))])
+        data = surface(at, triangles)
+        places = at if on_points else at[triangles].mean(1)
+        numbers = directions(places[:, 0], places[:, 1])
+        numbers[np.hypot(places[:, 0], places[:, 1]) < 0.3] = hole
+        add(data.GetPointData() if on_points else data.GetCellData(), "d", numbers)
+        return data
+
+    def singularities(self, data, n, on_points):
+        filter = vtkFieldSingularities()
+        filter.SetInputData(data)
+        filter.SetNumberOfDirections(n)
+        filter.SetInputArrayToProcess(0, 0, 0, 0 if on_points else 1, "d")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", FieldWarning)  # numbers that are not finite are counted
+            update(filter)
+        balls, loops = filter.GetOutputDataObject(0), filter.GetOutputDataObject(2)
+        indices = values(balls.GetPointData(), "Index") if balls.GetNumberOfPoints() else np.zeros(0)
+        self.assertAlmostEqual(values(balls.GetFieldData(), "SumOfIndices")[0], values(balls.GetFieldData(), "EulerCharacteristic")[0])
+        return indices, sorted(values(loops.GetCellData(), "Index"))
+
+    def test_of_a_parallel_field_are_loops_without_a_singularity(self):
+        for n in (1, 2, 4):
+            for hole in (np.nan, 0.0):
+                for on_points in (True, False):
+                    data = self.square(lambda x, y: np.tile([0.8, 0.6, 0], (len(x), 1)), hole, on_points)
+                    balls, loops = self.singularities(data, n, on_points)
+                    self.assertEqual(len(balls), 0)
+                    np.testing.assert_allclose(loops, [-1, 1])
+
+    def test_over_a_core_have_its_index(self):
+        """The boundary's tangent turns once around the hole the other way, -1, and the field by 1/2."""
+        def half(x, y):
+            angle = np.arctan2(y, x) / 2
+            return np.stack([np.cos(angle), np.sin(angle), 0 * x], 1)
+
+        balls, loops = self.singularities(self.square(half, np.nan), 2, True)
+        self.assertEqual(len(balls), 0)
+        np.testing.assert_allclose(loops, [-0.5, 0.5])
+
+    def test_of_one_cell_are_singularities_there(self):
+        def vortex(x, y):
+            vectors = np.stack([-y, x, 0 * x], 1)
+            vectors[np.hypot(x, y) < 0.04] = 0
+            return vectors
+
+        at = np.array([[i, j, 0.0] for j in range(12) for i in range(12)]) * 2 / 11 - [1, 1, 0]
+        cells = [(a, a + 1, a + 13, a + 12) for j in range(11) for i in range(11) for a in [12 * j + i]]
+        data = polygons(at, cells)
+        add(data.GetCellData(), "d", vortex(*at[np.array(cells)].mean(1)[:, :2].T))
+        balls, loops = self.singularities(data, 1, False)
+        np.testing.assert_allclose(balls, [1])
+        np.testing.assert_allclose(loops, [0])
+
+    def test_are_filled_by_the_smoothest_crosses_for_quads(self):
+        for hole in (np.nan, 0.0):
+            data = self.square(lambda x, y: np.tile([1.0, 0, 0], (len(x), 1)), hole)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", FieldWarning)
+                mesh = quads(data, 400, directions="d")
+            self.assertEqual(np.count_nonzero(values(mesh.GetPointData(), "Irregular")), 0)
+            self.assertEqual(values(mesh.GetFieldData(), "Singularities")[0], 0)
+
+
+class NormalParts(unittest.TestCase):
+    """Vectors with a part along the normal, as tractions: what is tangential is decomposed, whatever that part is."""
+
+    def sphere(self, n, part):
+        k = np.arange(n) + 0.5
+        polar, azimuth = np.arccos(1 - 2 * k / n), np.pi * (1 + 5 ** 0.5) * k
+        at = np.stack([np.cos(azimuth) * np.sin(polar), np.sin(azimuth) * np.sin(polar), np.cos(polar)], 1)
+        at += 0.25 * n ** -0.5 * np.random.default_rng(7).normal(size=at.shape)
+        at /= np.linalg.norm(at, axis=1)[:, None]
+        hull = vtkDelaunay3D()
+        hull.SetInputData(polygons(at, []))
+        skin = vtkGeometryFilter()
+        skin.SetInputConnection(hull.GetOutputPort())
+        skin.Update()
+        data = skin.GetOutput()
+        at = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        add(data.GetPointData(), "traction", np.cross([0, 0, 1.0], at) + part * at)
+        return data, at
+
+    def test_leave_no_divergence_on_spheres(self):
+        for part in (0, 3, 100):
+            data, at = self.sphere(2000, part)
+            result = hodge(data, "traction")
+            self.assertLess(np.abs(values(result.GetPointData(), "Divergence")).mean(), 0.02)
+            self.assertLess(np.abs(values(result.GetPointData(), "Vorticity") - 2 * at[:, 2]).mean(), 0.02)
+            self.assertAlmostEqual(np.median(values(result.GetCellData(), "NormalComponent")), part, delta=0.01 * part + 1e-3)
+
+    def test_are_told_at_a_rim(self):
+        angle, height = np.meshgrid(np.linspace(0, np.pi / 2, 13), np.linspace(0, 2, 25))
+        at = np.stack([np.cos(angle).ravel(), np.sin(angle).ravel(), height.ravel()], 1)
+        cells = [(a, a + 1, a + 14, a + 13) for j in range(24) for i in range(12) for a in [13 * j + i]]
+        for part in (0, 3):
+            data = polygons(at, cells)
+            add(data.GetPointData(), "traction", [0, 0, 1] + part * at * [1, 1, 0])
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                divergence = values(hodge(data, "traction").GetPointData(), "Divergence")
+            self.assertEqual(["along the normal are 3 times" in str(each.message) for each in said], [True] * (part > 0))
+            inner = (angle.ravel() > 0.2) & (angle.ravel() < 1.3)
+            self.assertLess(np.abs(divergence[inner]).max(), 0.01)
+
+
+class Poles(unittest.TestCase):
+    """Quadrilaterals with a corner twice: the data of cells stand at the mean of the corners as they are written."""
+
+    def test_of_a_disc_are_exact_in_the_middle(self):
+        r, t = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 2 * np.pi, 17))  # the spokes end at points of their own
+        at = np.stack([(r * np.cos(t)).ravel(), (r * np.sin(t)).ravel(), 0 * r.ravel()], 1)
+        quads = np.array([[a, a + 1, a + 6, a + 5] for i in range(16) for j in range(4) for a in [5 * i + j]])
+        once = np.where(quads % 5 == 0, 0, quads)
+        for cells in (quads, once):
+            data = polygons(at, cells)
+            x, y, _ = at[cells].mean(1).T
+            add(data.GetCellData(), "U", np.stack([x - 0.7 * y, 2 * x + y, 0 * x], 1))
+            result = hodge(data, "U", Boundary="Open").GetPointData()
+            used = np.unique(cells)
+            np.testing.assert_allclose(values(result, "Divergence")[used], 2, atol=1e-6)
+            np.testing.assert_allclose(values(result, "Vorticity")[used], 2.7, atol=1e-6)
+
+    def test_of_a_globe_converge(self):
+        for axis in ((0, 0, 1.0), (1.0, 0, 0)):
+            errors = []
+            for n in (36, 72, 144):
+                longitudes, latitudes = np.linspace(0, 360, n + 1), np.linspace(-90, 90, n // 2 + 1)
+                grid, xyz = globe(longitudes, latitudes)
+                _, centres = globe((longitudes[1:] + longitudes[:-1]) / 2, (latitudes[1:] + latitudes[:-1]) / 2)
+                for name, numbers in zip("uv", east_and_north(centres, np.cross(axis, centres))):
+                    add(grid.GetCellData(), name, numbers)
+                vorticity = values(hodge(grid, eastward="u", northward="v").GetPointData(), "Vorticity")
+                errors.append(np.abs(vorticity - 2 * xyz @ axis).max())
+            self.assertLess(errors[0], 0.1)
+            self.assertLess(errors[2], 0.6 * errors[1])
 
 
 class EastwardAndNorthward(unittest.TestCase):
@@ -320,6 +467,20 @@ class PeriodicData(unittest.TestCase):
                 self.assertLess(np.abs(error - np.median(error)).max(), 0.002 * np.ptp(wave(xyz)))
                 speeds = np.linalg.norm(values(result.GetCellData(), "RotationalPart"), axis=1)
                 self.assertLess(np.abs(speeds - np.linalg.norm(wind(centres), axis=1)).max(), 0.1)
+
+    def test_maps_reach_over_the_poles_as_globes_do(self):
+        """Cells of 5 degrees around values at the poles have corners at 92.5."""
+        longitudes, latitudes = np.linspace(0, 360, 73), np.linspace(-92.5, 92.5, 38)
+        results = []
+        for make, options in ((globe, {}), (lambda *rows: (flat(*rows), None), dict(Coordinates="LongitudeAndLatitude"))):
+            grid, _ = make(longitudes, latitudes)
+            centres = (latitudes[1:] + latitudes[:-1]) / 2
+            add(grid.GetCellData(), "u", np.repeat(np.cos(np.radians(centres)), 72))
+            add(grid.GetCellData(), "v", np.zeros(72 * 37))
+            results.append(hodge(grid, eastward="u", northward="v", **options).GetPointData())
+        for name in ("Vorticity", "StreamFunction"):
+            on_globe, on_map = (values(data, name) for data in results)
+            np.testing.assert_allclose(on_map, on_globe, atol=1e-6)
 
     def test_a_grid_one_step_short_of_the_circle_is_told(self):
         for longitudes, is_told in ((np.arange(0, 360.1, 5), False), (np.arange(0, 360, 5), True)):

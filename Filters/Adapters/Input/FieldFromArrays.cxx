@@ -7,7 +7,9 @@
 #include "Adapters/View/ChosenArrays.h"
 #include "Adapters/View/EastAndNorth.h"
 #include "Adapters/View/FillValues.h"
+#include "Adapters/View/HiddenGaps.h"
 #include "Directions/CellDirections.h"
+#include "Directions/GapsOfField.h"
 #include "Directions/SignFlips.h"
 #include "Support/Errors.h"
 
@@ -213,22 +215,79 @@ void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::se
   }
 }
 
-/// Warns where vectors flip as axes do. (A field of a solver is combed.)
+/// Warns where vectors flip as axes do. Fields of solvers are combed, and transported vectors have the signs of their sources.
 void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
 {
-  if (NameOf(chosen.Array) != ArrayNames::Direction(0) && FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints()))
+  const std::string name = NameOf(chosen.Array);
+  if (name != ArrayNames::Direction(0) && name != ArrayNames::TransportedVectors &&
+    FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints()))
   {
     vtkWarningWithObjectMacro(
-      algorithm, << "array '" << NameOf(chosen.Array)
+      algorithm, << "array '" << name
                  << "' seems to have no sign, as it flips from one element to the next; choose 2 as "
                     "Number Of Directions");
   }
 }
 
+/// The directions of an array, brought to the faces.
+struct ReadDirections
+{
+  ReadDirections(const FramedSurface& surface, const ChosenArray& chosen, int N, const ExecutionContext& context)
+  {
+    const TriangleMesh& mesh = surface.Geometry.Mesh;
+    if (chosen.OnPoints())
+    {
+      this->OfVertices = ReadVertices(chosen.Array, surface, this->Left, context);
+      this->First =
+        FirstDirectionsOfFaces(mesh, surface.Geometry.Faces, surface.Geometry.Vertices, this->OfVertices, N, context);
+      return;
+    }
+    const CellsOnFaces cells(surface, context);
+    this->First = ReadTuples([&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(),
+      [&](int face) { return surface.Relation.CellOf(face); }, this->Left, context);
+  }
+
+  Vector<Complex> First;      ///< of faces
+  Vector<Complex> OfVertices; ///< of an array of points
+  std::set<vtkIdType> Left;   ///< tuples that are not finite
+};
+
+/// Takes cells without a direction out of the surface, unless there are no others.
+/// \return whether there are some.
+bool HideGaps(SurfaceView& view, const Vector<Complex>& first)
+{
+  const std::vector<char> isGap = CellsWithoutDirection(view.Relation(), first, view.Data()->GetNumberOfCells());
+  bool isSome = false, isAll = true;
+  for (int face = 0; face < first.size(); ++face)
+  {
+    isSome = isSome || isGap[view.Relation().CellOf(face)];
+    isAll = isAll && isGap[view.Relation().CellOf(face)];
+  }
+  view.TakeIf<HiddenGaps>(isSome && !isAll, isGap);
+  return isSome && !isAll;
 }
 
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
+/// Warns of vectors that have no sign, and refuses directions that do not belong together.
+void CheckRead(vtkAlgorithm* algorithm, vtkDataSet* input, const ChosenArray& chosen, const FramedSurface& surface,
+  const ReadDirections& read, int N, bool areSiblings, const ExecutionContext& context)
+{
+  if (N == 1)
+  {
+    CheckSign(algorithm, chosen, surface.Geometry.Mesh,
+      chosen.OnPoints() ? surface.Geometry.Vertices : surface.Geometry.Faces,
+      chosen.OnPoints() ? read.OfVertices : read.First);
+  }
+  if (areSiblings && !chosen.OnPoints())
+  {
+    CheckSiblings(input, CellsOnFaces(surface, context), read.First, N, context);
+  }
+}
+
+}
+
+SurfaceWithField ReadField(
+  vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context, GapsInField gaps)
 {
   vtkDataSet* const input = view.Given();
   const ChosenArray chosen = ChooseVectors(algorithm, input);
@@ -241,42 +300,25 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, co
       "' holds tensors, whose principal directions have no sign; choose 2 or 4 as Number Of Directions");
   }
   view.Prepare(PreparationOf(input), context);
-  const FramedSurface& surface = view.Surface();
-  const TriangleMesh& mesh = view.Mesh();
-  const TangentFrames& frames = surface.Geometry.Faces;
-  const TangentFrames& vertexFrames = surface.Geometry.Vertices;
   context.Checkpoint(0.5);
-
-  if (const std::string problem = ProblemOfPlaneVectors(chosen.Array, mesh.VertexPositions()); !problem.empty())
+  if (const std::string problem = ProblemOfPlaneVectors(chosen.Array, view.Mesh().VertexPositions()); !problem.empty())
   {
     throw WrongChoice(problem);
   }
-  Vector<Complex> first;
-  std::set<vtkIdType> left;
-  if (chosen.OnPoints())
+  ReadDirections read(view.Surface(), chosen, N, context);
+  const std::set<vtkIdType> left = read.Left;
+  if (gaps == GapsInField::AreHoles)
   {
-    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, surface, left, context);
-    if (N == 1)
+    FillLoneCells(view.Surface().Geometry, view.Relation(), read.First);
+    if (HideGaps(view, read.First))
     {
-      CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
-    }
-    first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
-  }
-  else
-  {
-    const CellsOnFaces cells(surface, context);
-    first = ReadTuples([&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(),
-      [&](int face) { return surface.Relation.CellOf(face); }, left, context);
-    if (N == 1)
-    {
-      CheckSign(algorithm, chosen, mesh, frames, first);
-    }
-    if (areSiblings)
-    {
-      CheckSiblings(input, cells, first, N, context);
+      view.Prepare(PreparationOf(input), context);
+      read = ReadDirections(view.Surface(), chosen, N, context);
+      FillLoneCells(view.Surface().Geometry, view.Relation(), read.First);
     }
   }
-  if (first.isZero(0.0))
+  CheckRead(algorithm, input, chosen, view.Surface(), read, N, areSiblings, context);
+  if (read.First.isZero(0.0))
   {
     throw WrongChoice("array '" + NameOf(chosen.Array) +
       "' has no direction on any triangle, its vectors are zero, not finite or perpendicular to the surface; "
@@ -289,8 +331,8 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, co
   }
   CheckLeft(algorithm, chosen, left);
   context.Checkpoint(1.0);
-  const double diagonal = DiagonalOf(mesh);
-  DirectionsOnFaces field(N, first, context);
+  const double diagonal = DiagonalOf(view.Mesh());
+  DirectionsOnFaces field(N, read.First, context);
   const bool isAtPoints = IsFieldAtPoints(input, chosen) && N == numberByName;
   return { view, std::move(field), diagonal, isAtPoints };
 }

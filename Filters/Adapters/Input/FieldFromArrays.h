@@ -30,18 +30,28 @@ struct SurfaceWithField
   bool IsAtPoints; ///< whether it shows a power field at points
 };
 
+/// The meaning of cells without a direction.
+enum class GapsInField
+{
+  AreSurface,
+  AreHoles
+};
+
 /// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
 /// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
 /// cells and points have an array Direction0, both names mean that of the cells. Where cells have an array
 /// SingularityIndex, the field is one at points, too (ReadFieldAtPoints).
 ///
+/// \param gaps whether cells without a direction, as of masked data, are parts of the surface or holes in it: \p view hides them then, but for one that
+///   is alone, which has the direction of a cell beside it (FillLoneCells).
 /// \param view becomes the surface that the filter before has prepared (PreparationOf). \param N of the field; 0: that of NumberOfDirections.
 /// Vectors that are not finite, as where nothing was measured, are no directions; one warning counts them.
 /// \throw WrongChoice as ChooseVectors; vectors of 2 numbers on a surface that is not in a plane of constant z; no direction on
 /// any triangle.
 /// \throw InvalidInput what MeshFromDataSet refuses; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context);
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context,
+  GapsInField gaps = GapsInField::AreSurface);
 
 /// A power field at points, where its singularities are found.
 struct FieldAtVertices
@@ -65,7 +75,8 @@ Points ReferenceVectors(
 /// \return what RequestData returns.
 template <class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw)
+  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw,
+  GapsInField gaps = GapsInField::AreSurface)
 {
   return MakeOutputs(algorithm, request, inputs, outputs,
     [&](vtkInformationVector** whole, const ExecutionContext& context)
@@ -73,7 +84,7 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
       CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
       CheckRanges(others);
       SurfaceView view(SurfaceOf(whole[0]));
-      const SurfaceWithField field = ReadField(algorithm, view, N, PartOfContext(context, 0.0, 0.3));
+      const SurfaceWithField field = ReadField(algorithm, view, N, PartOfContext(context, 0.0, 0.3), gaps);
       draw(field, PartOfContext(context, 0.3, 1.0));
     });
 }

@@ -1,6 +1,8 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
 #include "Adapters/Pipeline/FilterOutputs.h"
+#include "Flows/NormalParts.h"
+#include "Support/ShortText.h"
 
 #include <utility>
 
@@ -9,15 +11,27 @@ namespace dmg
 namespace
 {
 
-FaceFlow FlowOf(const FramedMesh& surface, const Points& vectors)
+/// From this part along the normal over the tangential one on, a warning tells of the boundary.
+constexpr double LargestRatioAtRim = 0.5;
+
+std::string WarningOfRim(double ratio)
+{
+  return ratio > LargestRatioAtRim ? "Parts along the normal are " + ShortText(ratio) +
+      " times the tangential ones at a boundary that bends: divergence and vorticity are off there by half of them "
+      "times the curvature. "
+      "Take them out of the vectors first."
+                                   : "";
+}
+
+/// \param vectors the given ones. \param tangential those that are decomposed.
+FaceFlow FlowOf(const FramedMesh& surface, const Points& vectors, const Points& tangential)
 {
   const int faces = surface.Mesh.NumberOfFaces();
   FaceFlow flow{ Vector<Complex>(faces), Vector<double>(faces), {} };
   for (int face = 0; face < faces; ++face)
   {
-    const Vector3 vector = vectors.row(face).transpose();
-    flow.Tangential[face] = surface.Faces.ToComplex(face, vector);
-    flow.Normal[face] = surface.Faces.Normal(face).dot(vector);
+    flow.Tangential[face] = surface.Faces.ToComplex(face, tangential.row(face).transpose());
+    flow.Normal[face] = surface.Faces.Normal(face).dot(vectors.row(face).transpose());
   }
   return flow;
 }
@@ -40,8 +54,18 @@ VectorArrays ArraysOfFlow(vtkAlgorithm* algorithm, vtkDataSet* dataset, const Ve
 FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, const ExecutionContext& context)
 {
   const FramedSurface surface = view.Surface();
-  const VectorsOnSurface vectors = view.Vectors(arrays);
-  FaceFlow flow = FlowOf(surface.Geometry, vectors.OnFaces(view.Mesh()));
+  VectorsOnSurface vectors = view.Vectors(arrays);
+  const Points onFaces = vectors.OnFaces(view.Mesh());
+  double ratioAtRim = 0.0;
+  if (vectors.AreAtVertices)
+  {
+    SplitVectors split = WithoutNormalParts(view.Mesh(), vectors.Values, vectors.AtCorners);
+    vectors.Values = std::move(split.Tangential);
+    vectors.AtCorners = std::move(split.AtCorners);
+    ratioAtRim = split.RatioAtRim;
+  }
+  FaceFlow flow = FlowOf(surface.Geometry, onFaces, vectors.OnFaces(view.Mesh()));
+  flow.Warning = WarningOfRim(ratioAtRim);
   flow.Derivatives = [surface, vectors](const ExecutionContext& loops)
   {
     const auto derivatives = vectors.AreAtVertices ? DerivativesOfVertexVectors : DerivativesOfCellVectors;

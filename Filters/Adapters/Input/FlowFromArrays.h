@@ -7,6 +7,7 @@
 #include "Support/Types.h"
 
 #include <functional>
+#include <string>
 
 class vtkAlgorithm;
 class vtkDataSet;
@@ -21,6 +22,7 @@ struct FaceFlow
   Vector<double> Normal;      ///< components along the normals; empty where there are none
   /// Its divergence and vorticity, from what was given.
   std::function<DerivativesAtVertices(const ExecutionContext&)> Derivatives;
+  std::string Warning = {}; ///< empty where there is none
 };
 
 /// The flow of a dataset that was chosen with SetInputArrayToProcess: vectors (index 0) or, where index 1 is chosen, eastward (1) and
@@ -29,7 +31,8 @@ struct FaceFlow
 /// \throw InvalidInput as VectorArrays.
 VectorArrays ArraysOfFlow(vtkAlgorithm* algorithm, vtkDataSet* dataset, const Vector3& axis);
 
-/// The flow that arrays hold (SurfaceView::Vectors). Of points, a face has the mean over its corners.
+/// The flow that arrays hold (SurfaceView::Vectors). Of points, a face has the mean over its corners, of tangential parts
+/// (WithoutNormalParts), with a warning where parts along the normal spoil derivatives at the boundary.
 /// \throw WrongChoice as SurfaceView::Vectors. Cost: linear.
 FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, const ExecutionContext& context);
 

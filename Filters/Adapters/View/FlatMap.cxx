@@ -26,6 +26,8 @@ namespace dmg
 namespace
 {
 
+constexpr double Rounding = 1e-4; // degrees, in single precision
+
 Vector3 PointOf(vtkDataSet* dataset, vtkIdType point)
 {
   Vector3 place;
@@ -33,9 +35,15 @@ Vector3 PointOf(vtkDataSet* dataset, vtkIdType point)
   return place;
 }
 
+/// A latitude that is that of a pole up to rounding.
+double AtPole(double latitude)
+{
+  return std::abs(std::abs(latitude) - 90.0) < Rounding ? std::copysign(90.0, latitude) : latitude;
+}
+
 void CheckIsMap(vtkDataSet* map)
 {
-  constexpr double Rounding = 1e-4; // degrees, in single precision
+  constexpr double LargestLatitude = 100.0; // cells around values at a pole reach over it
   const std::string remedy = "; set Coordinates to Space, or give x and y as longitude and latitude";
   double bounds[6];
   map->GetBounds(bounds);
@@ -47,7 +55,7 @@ void CheckIsMap(vtkDataSet* map)
   for (vtkIdType point = 0; point < map->GetNumberOfPoints(); ++point)
   {
     const double latitude = PointOf(map, point).y();
-    if (!(std::abs(latitude) <= 90.0 + Rounding))
+    if (!(std::abs(latitude) <= LargestLatitude))
     {
       throw InvalidInput("point " + std::to_string(point) + " has the latitude " + ShortText(latitude) + remedy);
     }
@@ -122,7 +130,7 @@ FlatMap::FlatMap(vtkDataSet* map)
 
 Vector3 FlatMap::PlaceForth(const Vector3& place) const
 {
-  return OnUnitSphere(place.x(), std::clamp(place.y(), -90.0, 90.0));
+  return OnUnitSphere(place.x(), AtPole(place.y()));
 }
 
 Vector3 FlatMap::VectorForth(const Vector3& vector, const Vector3& place) const

@@ -69,17 +69,27 @@ HiddenGaps::HiddenGaps(
     areOnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
   this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
   const std::vector<char> isHidden = areOnPoints ? CellsWith(isNaN, dataset) : isNaN;
+  this->Hide(dataset, isHidden);
+  if (!this->Cells.empty() && this->Cells.size() == isHidden.size())
+  {
+    throw InvalidInput(
+      "the " + what + " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
+  }
+}
+
+HiddenGaps::HiddenGaps(vtkDataSet* dataset, const std::vector<char>& isHidden)
+{
+  this->Hide(dataset, isHidden);
+}
+
+void HiddenGaps::Hide(vtkDataSet* dataset, const std::vector<char>& isHidden)
+{
   for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
   {
     if (isHidden[cell])
     {
       this->Cells.push_back(cell);
     }
-  }
-  if (!this->Cells.empty() && this->Cells.size() == isHidden.size())
-  {
-    throw InvalidInput(
-      "the " + what + " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
   }
   this->Result = this->Cells.empty() ? dataset : WithHidden(dataset, isHidden).Get();
 }
@@ -104,7 +114,10 @@ void HiddenGaps::ArrayBack(const AddedArray& added, const SurfaceRelation& relat
 
 void HiddenGaps::Report(vtkFieldData* fieldData) const
 {
-  AddNumber(fieldData, ArrayNames::CellsWithout(this->What), static_cast<double>(this->Cells.size()));
+  if (!this->What.empty())
+  {
+    AddNumber(fieldData, ArrayNames::CellsWithout(this->What), static_cast<double>(this->Cells.size()));
+  }
 }
 
 }

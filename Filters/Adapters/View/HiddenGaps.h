@@ -21,6 +21,8 @@ public:
   HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what);
   /// The same for an array that FindArray has found.
   HiddenGaps(vtkDataSet* dataset, const ChosenArray& numbers, const std::string& what);
+  /// Hides these cells, by cell, without a report. \pre not all of them.
+  HiddenGaps(vtkDataSet* dataset, const std::vector<char>& isHidden);
 
   void ArrayBack(const AddedArray& array, const SurfaceRelation& relation) const override;
   void Report(vtkFieldData* fieldData) const override;
@@ -29,6 +31,7 @@ public:
 
 private:
   HiddenGaps(vtkDataSet* dataset, const std::vector<vtkDataArray*>& arrays, bool areOnPoints, const std::string& what);
+  void Hide(vtkDataSet* dataset, const std::vector<char>& isHidden);
   std::vector<vtkIdType> PointsBeside(const SurfaceRelation& relation) const;
 
   const std::string What;

@@ -282,6 +282,11 @@ Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation)
   std::vector<int> corners;
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
+    if (const Vector3* const centre = relation.CentreOf(relation.CellOf(face)))
+    {
+      centres.row(face) = centre->transpose();
+      continue;
+    }
     corners.clear();
     for (const int part : relation.FacesOf(relation.CellOf(face)))
     {

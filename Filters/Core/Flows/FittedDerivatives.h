@@ -23,7 +23,8 @@ struct DerivativesAtVertices
   Vector<double> Vorticity;
 };
 
-/// The means of the corners of the cells, #F x 3: row f is that of the cell of face f.
+/// The means of the corners of the cells, #F x 3: row f is that of the cell of face f. A corner counts as often as it was written, as the pole in
+/// a quadrilateral of a globe (SurfaceRelation::CentreOf).
 Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation);
 
 /// \param vectors in space at the vertices, #V x 3; their tangential parts count.

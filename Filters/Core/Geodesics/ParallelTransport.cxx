@@ -222,7 +222,7 @@ ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Co
     CheckElement(at.Element, mesh.NumberOfVertices(), "vertex");
     const Complex vector =
       TangentialPart(this->Surface.Vertices, at.Element, at.Direction, at.Weight, names.Vertex(at.Element), "vertex");
-    add(at.Element, vector / std::abs(vector), std::abs(vector), 1.0);
+    add(at.Element, vector / std::abs(vector), std::abs(vector), at.Weight);
   }
   for (const Constraint& on : sources.OnFaces)
   {
@@ -232,7 +232,7 @@ ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Co
     const Complex direction = vector / std::abs(vector);
     for (int h = 3 * on.Element; h < 3 * on.Element + 3; ++h)
     {
-      add(mesh.Tail(h), this->Connection.TurnFromFace(h) * direction, std::abs(vector), 1.0 / 3.0);
+      add(mesh.Tail(h), this->Connection.TurnFromFace(h) * direction, std::abs(vector), on.Weight / 3.0);
     }
   }
   return heat;

@@ -72,7 +72,7 @@ public:
   ParallelTransport(ParallelTransport&&) noexcept;
 
   /// Each place has the direction and the length of the vector of the nearest source.
-  /// \param sources directions at vertices and on faces; their tangential part is carried. Weights do not count. Several
+  /// \param sources directions at vertices and on faces; their tangential part is carried. Weights are the shares of copies. Several
   ///   at one vertex are averaged.
   /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element; CheckSizes.
   /// \throw SolverFailure memory ran out.

@@ -5,6 +5,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Support/ExecutionContext.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -90,6 +91,17 @@ public:
   /// Whether each cell has one face at most, and each point one vertex, and no two share any.
   bool IsOneToOne() const { return this->FacesOfCells.Offsets.empty() && this->VerticesOfPoints.Offsets.empty(); }
 
+  /// The place of the data of a cell, if some of its corners coincide and so are one vertex: the mean of the corners as they were written, as of a
+  /// quadrilateral at a pole. Null for other cells, whose vertices have this mean.
+  const Vector3* CentreOf(long long cell) const
+  {
+    const auto found = std::lower_bound(this->Centres.begin(), this->Centres.end(), cell,
+      [](const std::pair<long long, Vector3>& centre, long long other) { return centre.first < other; });
+    return found == this->Centres.end() || found->first != cell ? nullptr : &found->second;
+  }
+  /// \param centres (cell, place), in ascending order of the cells.
+  void SetCentres(std::vector<std::pair<long long, Vector3>>&& centres) { this->Centres = std::move(centres); }
+
   /// Whether a face was turned to be seen from the positive side: its corners are the second, the first and the third one of the triangle before.
   /// So its frame (FaceFrames) has the first axis reversed, and the second one as it was.
   bool IsTurned(int face) const { return !this->TurnedFaces.empty() && this->TurnedFaces[face] != 0; }
@@ -119,6 +131,7 @@ private:
   std::vector<int> PointsOfVertices;
   ElementRows VerticesOfPoints;
   std::vector<char> TurnedFaces;
+  std::vector<std::pair<long long, Vector3>> Centres;
   std::vector<int> EdgesOfCells;
 };
 

@@ -231,6 +231,50 @@ PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, con
   return surface;
 }
 
+/// Whether a corner of a polygon is where the next one is.
+bool HasDoubledCorner(const PolygonSurface& polygons, int first, int last)
+{
+  constexpr double SmallestShare = 1e-6; // of the longest side
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
+  for (int i = first; i < last; ++i)
+  {
+    const int next = i + 1 == last ? first : i + 1;
+    const double length =
+      (polygons.Positions.row(polygons.Corners[i]) - polygons.Positions.row(polygons.Corners[next])).norm();
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+  }
+  return shortest <= SmallestShare * longest;
+}
+
+/// (cell, mean of its corners), for cells of one polygon. Polygons with corners that are no points are refused later.
+std::vector<std::pair<long long, Vector3>> CentresOfDoubledCorners(const PolygonSurface& polygons)
+{
+  const auto cellOf = [&polygons](int p) { return polygons.Cells.empty() ? p : polygons.Cells[p]; };
+  const auto isPoint = [&polygons](int corner) { return corner >= 0 && corner < polygons.Positions.rows(); };
+  std::vector<std::pair<long long, Vector3>> centres;
+  for (int p = 0; p < polygons.Size(); ++p)
+  {
+    const int first = polygons.Offsets[p], last = polygons.Offsets[p + 1];
+    const bool isAlone =
+      (p == 0 || cellOf(p - 1) != cellOf(p)) && (p + 1 == polygons.Size() || cellOf(p + 1) != cellOf(p));
+    if (last - first < 4 || !isAlone ||
+      !std::all_of(polygons.Corners.begin() + first, polygons.Corners.begin() + last, isPoint) ||
+      !HasDoubledCorner(polygons, first, last))
+    {
+      continue;
+    }
+    Vector3 sum = Vector3::Zero();
+    for (int i = first; i < last; ++i)
+    {
+      sum += polygons.Positions.row(polygons.Corners[i]).transpose();
+    }
+    centres.emplace_back(
+      static_cast<long long>(polygons.FirstCell) + cellOf(p), sum / static_cast<double>(last - first));
+  }
+  return centres;
+}
+
 /// Turns the faces of components whose corners are clockwise, seen from the positive side.
 PreparedSurface SeenFromPositiveSide(PreparedSurface&& surface, const ExecutionContext& context)
 {
@@ -291,6 +335,15 @@ PreparedSurface PrepareSurface(
   PreparedSurface seen = options.KeepsSides ? std::move(*surface) : SeenFromPositiveSide(std::move(*surface), context);
   seen.Relation.SetEdges(seen.Mesh, context);
   return seen;
+}
+
+PreparedSurface PrepareSurface(
+  PolygonSurface&& polygons, const PreparationOptions& options, const ExecutionContext& context)
+{
+  std::vector<std::pair<long long, Vector3>> centres = CentresOfDoubledCorners(polygons);
+  PreparedSurface surface = PrepareSurface(Triangulate(std::move(polygons), context), options, context);
+  surface.Relation.SetCentres(std::move(centres));
+  return surface;
 }
 
 }

@@ -64,12 +64,9 @@ struct PreparedSurface
 PreparedSurface PrepareSurface(
   CellTriangles&& triangles, const PreparationOptions& options, const ExecutionContext& context = SerialContext());
 
-/// The same for polygons; see Triangulate.
-inline PreparedSurface PrepareSurface(
-  PolygonSurface&& polygons, const PreparationOptions& options, const ExecutionContext& context = SerialContext())
-{
-  return PrepareSurface(Triangulate(std::move(polygons), context), options, context);
-}
+/// The same for polygons; see Triangulate. The relation has the centres of polygons with neighbouring corners that coincide.
+PreparedSurface PrepareSurface(
+  PolygonSurface&& polygons, const PreparationOptions& options, const ExecutionContext& context = SerialContext());
 
 }
 

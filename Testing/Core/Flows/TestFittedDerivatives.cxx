@@ -120,6 +120,26 @@ void ExpectConstant(const DerivativesAtVertices& derivatives)
   }
 }
 
+/// A disc of rings and spokes, whose innermost quadrilaterals have the middle as two corners.
+PolygonSurface PolarDisc(int rings, int spokes)
+{
+  PolygonSurface disc;
+  disc.Positions.setZero(1 + rings * spokes, 3);
+  const auto at = [spokes](int ring, int spoke) { return ring == 0 ? 0 : 1 + (ring - 1) * spokes + spoke % spokes; };
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int spoke = 0; spoke < spokes; ++spoke)
+    {
+      const double angle = 2.0 * Pi * spoke / spokes;
+      disc.Positions.row(at(ring + 1, spoke)) << (ring + 1) * std::cos(angle), (ring + 1) * std::sin(angle), 0.0;
+      disc.Corners.insert(
+        disc.Corners.end(), { at(ring, spoke), at(ring + 1, spoke), at(ring + 1, spoke + 1), at(ring, spoke + 1) });
+      disc.Offsets.push_back(static_cast<int>(disc.Corners.size()));
+    }
+  }
+  return disc;
+}
+
 /// A flow along the unit sphere without divergence.
 struct SphereFlow
 {
@@ -259,6 +279,25 @@ TEST(FittedDerivatives, AreExactForLinearFlowsOnAnyPlanarMesh)
     ASSERT_EQ(FillDiagonals(mesh, prepared.Relation, form, isKnown), -1);
     ExpectConstant(DerivativesOfForm(surface, prepared.Relation, form, isGiven));
   }
+}
+
+// The data of a cell stand at the mean of its corners as they were written: the middle counts twice.
+TEST(FittedDerivatives, AreExactWhereCellsHaveACornerTwice)
+{
+  const PolygonSurface disc = PolarDisc(4, 16);
+  const PreparedSurface prepared = PrepareSurface(PolygonSurface(disc), {});
+  Points vectors(prepared.Mesh.NumberOfFaces(), 3);
+  for (int face = 0; face < vectors.rows(); ++face)
+  {
+    const int first = 4 * prepared.Relation.CellOf(face);
+    Vector3 mean = Vector3::Zero();
+    for (int k = 0; k < 4; ++k)
+    {
+      mean += 0.25 * disc.Positions.row(disc.Corners[first + k]).transpose();
+    }
+    vectors.row(face) = Linear(mean).transpose();
+  }
+  ExpectConstant(DerivativesOfCellVectors(FramedMesh(TriangleMesh(prepared.Mesh)), prepared.Relation, vectors));
 }
 
 TEST(FittedDerivatives, OfVectorsAtTheCornersOfAStripOfOneCellAreExact)

@@ -1,0 +1,35 @@
+#ifndef dmgNormalParts_h
+#define dmgNormalParts_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/Types.h"
+
+namespace dmg
+{
+
+/// Unit normals at the vertices, #V x 3: of the sum over the corners of a x b / (|a|^2 |b|^2), a and b the sides from the vertex (N. Max,
+/// "Weights for computing vertex normals from facet normals", 1999). They are exact where the points lie on a sphere, of second order on other smooth
+/// surfaces, and of first order at boundaries. Cost: linear.
+Points NormalsOfVertices(const TriangleMesh& mesh);
+
+/// Vectors at vertices as a tangential part, and what is told of the rest.
+struct SplitVectors
+{
+  Points Tangential; ///< #V x 3
+  Points AtCorners;  ///< the same for vectors by corner; empty where there are none
+  /// At boundary vertices where the surface bends, the part along the normal over the tangential one, roots of mean squares; 0 where there are none.
+  /// There the normal is known on one side alone, and derivatives of the tangential part are off by about half of the normal part times the
+  /// curvature, at any resolution.
+  double RatioAtRim = 0.0;
+};
+
+/// Takes the part along NormalsOfVertices out of vectors, as of tractions or of velocities through a surface. Taken out by the normals of faces,
+/// after means over their corners, it would leave a flow of the size of this part. At sharp edges, with a face that leans by more than 30
+/// degrees, vectors stay as they are: they may be tangential to one of the faces.
+/// \param vectors #V x 3. \param atCorners 3 #F x 3, row h at the tail of halfedge h, or empty.
+/// Cost: linear.
+SplitVectors WithoutNormalParts(const TriangleMesh& mesh, const Points& vectors, const Points& atCorners);
+
+}
+
+#endif
