@@ -9,7 +9,7 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
-#include "SurfaceQuads.h"
+#include "Quads/SurfaceQuads.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

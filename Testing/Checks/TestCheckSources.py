@@ -74,7 +74,7 @@ class CheckSources(unittest.TestCase):
 
     def test_new_folder_needs_a_place(self):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
-                         ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])
+                         ["Filters/Core/Odds/Ends.h:0: Odds has no floor in FLOORS"])
 
     def test_rooms_below_the_door_do_not_see_it(self):
         wrong = {"Singularities/Stages.h": "FieldSolver.h", "Pieces/Piece.h": "FieldSolver.h", "Setup/Cache.h": "FieldProblem.h",

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks what a compiler does not: the architecture's include arrows and a few rules of the sources.
+"""Checks what a compiler does not: which rooms include which, and a few rules of the sources.
 
     check_sources.py ROOT
 
 prints one line per violation, "path:line: what is wrong", and fails if there is any. The rules:
 
-- the rooms of the core include downwards only (ARROWS), and never VTK; nor do its tests;
+- the rooms of the core include downwards only (FLOORS), and never VTK; nor do its tests;
 - the rooms of the adapters include downwards only (ADAPTERS), and no header of a filter;
 - Core/Discretisations alone asks which discretisation a field has (DiscretisationKind::);
 - no text of the core names a class of VTK, or a property or choice of the panel by a label of several words: the
@@ -32,56 +32,28 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-# The rooms of Filters/Core, and which others each includes. A room with rooms below it is the files that stand in
-# it directly.
-THESIS = {"StructurePreserving/Decimation", "StructurePreserving/Transfers", "StructurePreserving/Overlay"}
-ARROWS = {
-    "Support": set(),
-    "Mesh": {"Support"},
-    "Preparation": {"Mesh", "Support"},
-    "Operators": {"Mesh", "Support"},
-    "Directions": {"Operators", "Mesh", "Support"},
-    "Levels": {"Mesh", "Support"},
+# The rooms of Filters/Core and their floors: a file includes its own room and rooms of smaller floors. A room with rooms below it is the
+# files that stand in it directly.
+FLOORS = {
+    "Support": 0,
     # A solver receives matrices and never learns that a mesh exists.
-    "Solvers/Kernels": {"Support"},
-    "Solvers/Krylov": {"Support"},
-    "Solvers/Direct": {"Solvers/Krylov", "Support"},
-    "Solvers/Multigrid": {"Solvers/Krylov", "Solvers/Direct", "Solvers/Kernels", "Support"},
-    "Solvers/Laplacian": {"Solvers/Multigrid", "Solvers/Krylov", "Solvers/Direct", "Solvers/Kernels", "Support"},
-    "Solvers/LeastSquares": {"Solvers/Multigrid", "Solvers/Direct", "Solvers/Kernels", "Support"},
-    "Solvers": {"Solvers/Multigrid", "Solvers/Krylov", "Support"},
-    "Analysis": {"Solvers/Direct", "Levels", "Operators", "Mesh", "Support"},
-    # The thesis's levels. Only the top of the core and the filters come in here.
-    "StructurePreserving/Decimation": {"Mesh", "Support"},
-    "StructurePreserving/Transfers": {"StructurePreserving/Decimation", "Levels", "Mesh", "Support"},
-    "StructurePreserving/Overlay": {"StructurePreserving/Decimation", "Levels", "Mesh", "Support"},
-    "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
-    "Constraints": {"Directions", "Operators", "Mesh", "Support"},
-    "Drawing": {"Constraints", "Operators", "Mesh", "Support"},
+    "Solvers/Kernels": 1, "Solvers/Krylov": 1, "Solvers/Direct": 2, "Solvers/Multigrid": 3,
+    "Solvers/Laplacian": 4, "Solvers/LeastSquares": 4, "Solvers": 4,
+    "Mesh": 5,
+    "Preparation": 6, "Operators": 6, "Levels": 6,
+    "Directions": 7, "Analysis": 7,
+    "Constraints": 8, "Drawing": 9,
     # Unknowns: the penalties and the levels that each kind of field shares with others, and the kinds themselves.
-    "Discretisations/Constraints": {"Constraints", "Solvers", "Operators", "Mesh", "Support"},
-    "Discretisations/Levels": {"Solvers/LeastSquares", "Levels", "Operators", "Mesh", "Support"},
-    "Discretisations": {"Discretisations/Constraints", "Discretisations/Levels", "Solvers/Laplacian", "Solvers/LeastSquares",
-                        "Solvers/Multigrid", "Solvers", "Levels", "Analysis", "Directions", "Operators", "Mesh", "Support"},
-    "Setup": {"Discretisations", "Solvers/Krylov", "Solvers", "StructurePreserving", "Levels", "Analysis", "Operators", "Mesh",
-              "Support"},
-    "Singularities": {"Setup", "Discretisations/Constraints", "Analysis", "Operators", "Mesh", "Support"},
-    "Flows": {"Setup", "Analysis", "Directions", "Mesh", "Support"},
-    "Geodesics": {"Constraints", "Drawing", "Solvers/Direct", "Operators", "Mesh", "Support"},
-    "Scales": {"Setup", "Discretisations", "Solvers/Multigrid", "Solvers/Krylov", "Solvers", "Operators", "Mesh", "Support"},
-    "Quads/Crosses": {"Constraints", "Solvers/Direct", "Analysis", "Directions", "Mesh", "Support"},
-    "Quads/Map": {"Quads/Crosses", "Solvers/Direct", "Mesh", "Support"},
-    "Quads/Isolines": {"Quads/Map", "Quads/Crosses", "Constraints", "Mesh", "Support"},
-    "Quads": {"Quads/Isolines", "Quads/Map", "Quads/Crosses", "Constraints", "Mesh", "Support"},
-    # The door: fields, as users ask for them and get them.
-    ".": {"Quads", "Quads/Crosses", "Singularities", "Setup", "Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Analysis",
-          "Directions", "Operators", "Mesh", "Support"},
+    "Discretisations/Constraints": 9, "Discretisations/Levels": 9, "Discretisations": 10,
+    # The thesis's levels. Only the top of the core and the filters come in here.
+    "StructurePreserving/Decimation": 11, "StructurePreserving/Transfers": 12, "StructurePreserving/Overlay": 12, "StructurePreserving": 13,
+    "Setup": 14,
+    "Singularities": 15,
+    # The door: fields, as users ask for them and get them. What else is computed on a surface stands beside it.
+    ".": 16, "Flows": 16, "Geodesics": 16, "Scales": 16,
+    "Quads/Crosses": 16, "Quads/Map": 17, "Quads/Isolines": 18, "Quads": 19,
     # The only rooms that know MPI and PETSc; nothing else of the core includes them. They give a Field, as FieldSolver does.
-    "Pieces/Surface": {"Constraints", "Operators", "Mesh", "Support"},
-    "Pieces/Constraints": {"Pieces/Surface", ".", "Discretisations", "Constraints", "Directions", "Operators", "Mesh", "Support"},
-    "Pieces/Solvers": {"Pieces/Constraints", "Pieces/Surface", "Discretisations", "Solvers/Krylov", "Solvers", "Levels", "Operators",
-                       "Mesh", "Support"},
-    "Pieces": {"Pieces/Solvers", "Pieces/Constraints", "Pieces/Surface", ".", "Setup", "Discretisations", "Solvers", "Support"},
+    "Pieces/Surface": 20, "Pieces/Constraints": 21, "Pieces/Solvers": 22, "Pieces": 23,
 }
 # The solver itself, which programs and filters include, and no other file of the core but those that solve for something else by it.
 ENTRANCE = "FieldSolver.h"
@@ -128,8 +100,8 @@ def check_core(root):
     core = root / "Filters" / "Core"
     for path in files(core, SOURCES):
         room = path.parent.relative_to(core).as_posix()
-        if room not in ARROWS:
-            yield path, 0, f"{room} has no place in ARROWS"
+        if room not in FLOORS:
+            yield path, 0, f"{room} has no floor in FLOORS"
             continue
         for number, name in includes(path):
             if re.match(r"vtk|Adapters/|\.\./", name):
@@ -139,7 +111,7 @@ def check_core(root):
             elif (core / name).exists():
                 target = pathlib.PurePosixPath(name).parent.as_posix()
                 is_for_programs = name == ENTRANCE and path.stem not in BY_THE_ENTRANCE
-                if is_for_programs or target != room and target not in ARROWS[room]:
+                if is_for_programs or target != room and FLOORS.get(target, 0) >= FLOORS[room]:
                     yield path, number, f"{room} may not include {name}"
 
 

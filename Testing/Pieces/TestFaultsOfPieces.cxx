@@ -214,6 +214,22 @@ TEST(FaultsOfPieces, ProblemsThatDifferBetweenRanksAreRefused)
       solver.Solve(problem);
     },
     "alignment 2");
+  problem.Options.Alignment = 2.0;
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      problem.Options.Solver.ExpectedSolves = isLast ? 7 : 8; // of which no text tells
+      solver.Solve(problem);
+    },
+    "an option of the field");
+  problem.Options.Solver.ExpectedSolves = 7;
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      problem.Stop.RelativeTolerance = isLast ? 1e-4 : std::nextafter(1e-4, 1.0); // of which a text has not all digits
+      solver.Solve(problem);
+    },
+    "differ in");
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {

@@ -4,7 +4,7 @@
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/ChosenArrays.h"
-#include "SurfaceQuads.h"
+#include "Quads/SurfaceQuads.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

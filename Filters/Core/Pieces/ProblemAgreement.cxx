@@ -1,8 +1,11 @@
 #include "Pieces/ProblemAgreement.h"
 
+#include "Support/Errors.h"
 #include "Support/ShortText.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace dmg
 {
@@ -76,6 +79,21 @@ std::string TextOfOthers(const FieldProblem& problem)
     (problem.Singularities ? ", " + std::to_string(problem.Singularities->size()) + " singularities" : "");
 }
 
+/// Compares by the comparison of the options themselves: no member is forgotten, and no digit.
+template <class Options>
+void CheckSame(const Ranks& ranks, const Options& here, const std::string& name)
+{
+  const Received<Options> all = ranks.GatherToAll(std::vector<Options>{ here });
+  // A number that is NaN differs from itself; whoever uses it refuses it.
+  const auto differs = [&all](const Options& options) { return options == options && !(options == all.Items.front()); };
+  const auto other = std::find_if(all.Items.begin(), all.Items.end(), differs);
+  if (other != all.Items.end())
+  {
+    throw InvalidInput(
+      "ranks 0 and " + std::to_string(other - all.Items.begin()) + " differ in " + name + "; give all ranks the same");
+  }
+}
+
 }
 
 void CheckAgreement(const Ranks& ranks, const FieldProblem& problem)
@@ -84,6 +102,9 @@ void CheckAgreement(const Ranks& ranks, const FieldProblem& problem)
   ranks.CheckSame(TextOf(problem.Features), "the features");
   ranks.CheckSame(TextOf(problem.Guides), "the guides");
   ranks.CheckSame(TextOfOthers(problem), "the options");
+  // Texts say what differs, where they have it.
+  CheckSame(ranks, problem.Options, "an option of the field or its solver");
+  CheckSame(ranks, problem.Stop, "a criterion by which the solver stops");
 }
 
 }

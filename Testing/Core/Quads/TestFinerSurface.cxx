@@ -4,9 +4,9 @@
 #include "QuadExamples.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/FinerSurface.h"
+#include "Quads/SurfaceQuads.h"
 #include "Support/Random.h"
 #include "Support/ReadPly.h"
-#include "SurfaceQuads.h"
 
 #include <filesystem>
 #include <string>

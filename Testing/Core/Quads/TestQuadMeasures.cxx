@@ -3,7 +3,7 @@
 #include "QuadExamples.h"
 #include "Quads/Isolines/QuadDistances.h"
 #include "Quads/Isolines/QuadSmoothing.h"
-#include "SurfaceQuads.h"
+#include "Quads/SurfaceQuads.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "SurfaceQuads.h"
+#include "Quads/SurfaceQuads.h"
 
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
