@@ -226,6 +226,17 @@ class Derivatives(unittest.TestCase):
         np.testing.assert_allclose(values(result, "Divergence"), 2, atol=1e-9)
 
 
+class Signs(unittest.TestCase):
+    def test_of_vectors_that_are_carried_are_not_doubted_on_solids_with_few_faces(self):
+        random = np.random.default_rng(1)
+        for _ in range(20):
+            at = random.normal(size=(4, 3)).round(2)
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                transport(surface(at, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]))
+            self.assertFalse([each for each in said if "no sign" in str(each.message)])
+
+
 class Gaps(unittest.TestCase):
     """Directions that were not measured, NaN or zero: a hole in the data is a loop with an index, as a boundary is."""
 
@@ -354,6 +365,18 @@ class Poles(unittest.TestCase):
             used = np.unique(cells)
             np.testing.assert_allclose(values(result, "Divergence")[used], 2, atol=1e-6)
             np.testing.assert_allclose(values(result, "Vorticity")[used], 2.7, atol=1e-6)
+
+    def test_under_cells_that_reach_over_them_are_places_of_data(self):
+        """Cells of a step around values at the poles, as readers make them: an eastward flow has its vorticity there."""
+        for n in (36, 72):
+            longitudes, latitudes = np.linspace(0, 360, n + 1), np.linspace(-90 - 180 / n, 90 + 180 / n, n // 2 + 2)
+            grid, xyz = globe(longitudes, latitudes)
+            centres = np.radians((latitudes[1:] + latitudes[:-1]) / 2)
+            add(grid.GetCellData(), "u", np.repeat(np.cos(centres), n))
+            add(grid.GetCellData(), "v", np.zeros(n * (n // 2 + 1)))
+            vorticity = values(hodge(grid, eastward="u", northward="v").GetPointData(), "Vorticity")
+            inner = np.repeat(np.abs(latitudes) < 90, n + 1)
+            self.assertLess(np.abs(vorticity - 2 * xyz[:, 2])[inner].max(), 0.03)
 
     def test_of_a_globe_converge(self):
         for axis in ((0, 0, 1.0), (1.0, 0, 0)):

@@ -68,8 +68,9 @@ FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, con
   flow.Warning = WarningOfRim(ratioAtRim);
   flow.Derivatives = [surface, vectors](const ExecutionContext& loops)
   {
-    const auto derivatives = vectors.AreAtVertices ? DerivativesOfVertexVectors : DerivativesOfCellVectors;
-    return derivatives(surface.Geometry, surface.Relation, vectors.Values, loops);
+    return vectors.AreAtVertices
+      ? DerivativesOfVertexVectors(surface.Geometry, surface.Relation, vectors.Values, loops)
+      : DerivativesOfCellVectors(surface.Geometry, surface.Relation, vectors.Values, vectors.Places, loops);
   };
   context.Checkpoint(1.0);
   return flow;

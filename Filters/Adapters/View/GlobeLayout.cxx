@@ -45,6 +45,20 @@ void ForCells(vtkDataSet* dataset, const Visit& visit)
   }
 }
 
+/// The mean of points, at their mean distance from the origin.
+Vector3 MeanOnSphere(vtkDataSet* dataset, vtkIdList* points)
+{
+  Vector3 sum = Vector3::Zero();
+  double distances = 0.0;
+  for (const vtkIdType point : *points)
+  {
+    const Vector3 place = PointOf(dataset, point);
+    sum += place;
+    distances += place.norm();
+  }
+  return distances / static_cast<double>(points->GetNumberOfIds()) * sum.stableNormalized();
+}
+
 /// Whether two points face each other across an axis.
 bool AreOpposite(const Vector3& p, const Vector3& q, const Vector3& axis)
 {
@@ -138,6 +152,14 @@ GlobeLayout::GlobeLayout(vtkDataSet* globe, const Vector3& axis)
   }
 }
 
+std::optional<Vector3> GlobeLayout::PlaceOfCell(vtkIdType cell) const
+{
+  const auto found = std::lower_bound(this->CellsOverPoles.begin(), this->CellsOverPoles.end(), cell,
+    [](const auto& entry, vtkIdType other) { return entry.first < other; });
+  return found == this->CellsOverPoles.end() || found->first != cell ? std::nullopt
+                                                                     : std::optional<Vector3>(found->second);
+}
+
 void GlobeLayout::MovePointsBeyondPoles()
 {
   vtkDataSet* const globe = this->Result;
@@ -149,9 +171,13 @@ void GlobeLayout::MovePointsBeyondPoles()
   };
   std::vector<char> uses(globe->GetNumberOfPoints(), 0);
   ForCells(globe,
-    [&](vtkIdType, vtkIdList* points)
+    [&](vtkIdType cell, vtkIdList* points)
     {
       const char use = ReachesOverPole(globe, points, axis) ? Over : Elsewhere;
+      if (use == Over)
+      {
+        this->CellsOverPoles.emplace_back(cell, MeanOnSphere(globe, points));
+      }
       std::for_each(points->begin(), points->end(), [&](vtkIdType point) { uses[point] |= use; });
     });
   std::vector<vtkIdType> around, beyond;
@@ -164,6 +190,7 @@ void GlobeLayout::MovePointsBeyondPoles()
   }
   if (beyond.empty())
   {
+    this->CellsOverPoles.clear();
     return;
   }
   const PointsAtPlaces twins(globe, std::move(around));

@@ -3,6 +3,7 @@
 
 #include "Adapters/View/SurfaceStep.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ public:
   GlobeLayout(vtkDataSet* globe, const Vector3& axis);
 
   bool IsPole(const Vector3& place) const override;
+  /// The mean of the given corners of a cell around a pole.
+  std::optional<Vector3> PlaceOfCell(vtkIdType cell) const override;
   void ArrayBack(const AddedArray& array, const SurfaceRelation& relation) const override;
   /// A slit along a meridian (WarningOfSlit).
   std::string Warning(const TriangleMesh& mesh) const override;
@@ -35,6 +38,8 @@ private:
 
   const Vector3 Axis;
   Pairs TwinPoints, TwinCells; ///< each with the one whose numbers it takes
+  std::vector<std::pair<vtkIdType, Vector3>>
+    CellsOverPoles; ///< with the means of their corners, as far off as these; ascending
 };
 
 }

@@ -8,6 +8,7 @@
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 
 class vtkPolyData;
@@ -35,6 +36,9 @@ public:
   virtual bool IsPole(const Vector3& /*place*/) const { return false; }
   /// Whether the dataset before the step lies in a plane, so that vectors may have 2 numbers.
   virtual bool IsFromPlane() const { return false; }
+
+  /// The place of the data of a cell whose corners the step has moved.
+  virtual std::optional<Vector3> PlaceOfCell(vtkIdType /*cell*/) const { return {}; }
 
   /// Changes an array that was added to the output into one of the dataset before the step.
   virtual void ArrayBack(const AddedArray& /*array*/, const SurfaceRelation& /*relation*/) const {}

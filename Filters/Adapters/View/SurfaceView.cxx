@@ -80,6 +80,22 @@ bool SurfaceView::IsFromPlane() const
   return std::any_of(this->Steps.begin(), this->Steps.end(), [](const auto& step) { return step->IsFromPlane(); });
 }
 
+Points SurfaceView::PlacesOfCells(const Points& centres) const
+{
+  Points places = centres;
+  for (const auto& step : this->Steps)
+  {
+    for (int face = 0; face < places.rows(); ++face)
+    {
+      if (const auto place = step->PlaceOfCell(this->Relation().CellOf(face)))
+      {
+        places.row(face) = place->transpose();
+      }
+    }
+  }
+  return places;
+}
+
 VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
 {
   const TriangleMesh& mesh = this->Mesh();
@@ -100,6 +116,7 @@ VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
   const auto at = [&](vtkIdType tuple, int element)
   { return this->VectorForth(arrays, tuple, places.row(element).transpose()); };
   VectorsOnSurface vectors{ atVertices, Points(places.rows(), 3) };
+  vectors.Places = atVertices ? Points() : this->PlacesOfCells(places);
   std::vector<char> isDefined(places.rows(), 1);
   for (int element = 0; element < places.rows(); ++element)
   {

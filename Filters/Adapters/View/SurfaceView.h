@@ -93,6 +93,7 @@ private:
   Vector3 VectorForth(const VectorArrays& arrays, vtkIdType tuple, const Vector3& place) const;
   bool IsPole(const Vector3& place) const;
   bool IsFromPlane() const;
+  Points PlacesOfCells(const Points& centres) const;
   ArrayChange WayBack() const;
 
   const vtkSmartPointer<vtkDataSet> GivenData;

@@ -21,6 +21,9 @@ struct VectorsOnSurface
   Points
     AtCorners{}; ///< 3 #F x 3, row h is that of the tail of halfedge h; empty where all faces of a vertex have the same
 
+  /// The places of vectors of cells, #F x 3: the CellCentres, but where a step has moved corners (SurfaceStep::PlaceOfCell).
+  Points Places{};
+
   /// The vectors on the faces. Of vertices, these are the means over the corners.
   Points OnFaces(const TriangleMesh& mesh) const;
 };

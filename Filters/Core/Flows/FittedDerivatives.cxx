@@ -313,10 +313,9 @@ DerivativesAtVertices DerivativesOfVertexVectors(
     });
 }
 
-DerivativesAtVertices DerivativesOfCellVectors(
-  const FramedMesh& surface, const SurfaceRelation& relation, const Points& vectors, const ExecutionContext& context)
+DerivativesAtVertices DerivativesOfCellVectors(const FramedMesh& surface, const SurfaceRelation& relation,
+  const Points& vectors, const Points& places, const ExecutionContext& context)
 {
-  const Points centres = CellCentres(surface.Mesh, relation);
   return Fit<FitOfVectors>(surface, relation, context,
     [&](const Neighbourhood& around, FitOfVectors& fit)
     {
@@ -324,7 +323,7 @@ DerivativesAtVertices DerivativesOfCellVectors(
       {
         if (relation.FacesOf(relation.CellOf(face)).front() == face) // once for each cell
         {
-          fit.Add(around.Place(centres.row(face).transpose()),
+          fit.Add(around.Place(places.row(face).transpose()),
             around.Carried(surface.Faces, face, vectors.row(face).transpose()));
         }
       }

@@ -31,9 +31,9 @@ Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation);
 DerivativesAtVertices DerivativesOfVertexVectors(const FramedMesh& surface, const SurfaceRelation& relation,
   const Points& vectors, const ExecutionContext& context = SerialContext());
 
-/// \param vectors in space at the CellCentres, #F x 3: row f is that of the cell of face f.
+/// \param vectors in space, #F x 3: row f is that of the cell of face f. \param places where these vectors stand, such as the CellCentres.
 DerivativesAtVertices DerivativesOfCellVectors(const FramedMesh& surface, const SurfaceRelation& relation,
-  const Points& vectors, const ExecutionContext& context = SerialContext());
+  const Points& vectors, const Points& places, const ExecutionContext& context = SerialContext());
 
 /// The vorticity is the circulation of the faces around over their area, so that of a closed form is zero.
 /// \param form integrals along the edges of the mesh, each from its smaller vertex to its larger one (FillDiagonals).

@@ -178,11 +178,11 @@ std::pair<double, double> ErrorsOf(const SphereFlow& flow, const PreparedSurface
   {
     exact[vertex] = flow.Vorticity(places.row(vertex).transpose());
   }
+  const Points centres = CellCentres(surface.Mesh, sphere.Relation);
   const auto errorOf = [&exact](const DerivativesAtVertices& derivatives)
   { return std::max((derivatives.Vorticity - exact).norm(), derivatives.Divergence.norm()) / exact.norm(); };
   return { errorOf(DerivativesOfVertexVectors(surface, sphere.Relation, Sampled(places, onSphere))),
-    errorOf(DerivativesOfCellVectors(
-      surface, sphere.Relation, Sampled(CellCentres(surface.Mesh, sphere.Relation), onSphere))) };
+    errorOf(DerivativesOfCellVectors(surface, sphere.Relation, Sampled(centres, onSphere), centres)) };
 }
 
 /// The dual of an icosphere: hexagons and twelve pentagons.
@@ -264,8 +264,8 @@ TEST(FittedDerivatives, AreExactForLinearFlowsOnAnyPlanarMesh)
     const FramedMesh surface(TriangleMesh(prepared.Mesh));
     const TriangleMesh& mesh = surface.Mesh;
     ExpectConstant(DerivativesOfVertexVectors(surface, prepared.Relation, Sampled(mesh.VertexPositions(), Linear)));
-    ExpectConstant(
-      DerivativesOfCellVectors(surface, prepared.Relation, Sampled(CellCentres(mesh, prepared.Relation), Linear)));
+    const Points centres = CellCentres(mesh, prepared.Relation);
+    ExpectConstant(DerivativesOfCellVectors(surface, prepared.Relation, Sampled(centres, Linear), centres));
 
     Vector<double> form = Vector<double>::Zero(mesh.NumberOfEdges());
     std::vector<char> isKnown(form.size(), 0);
@@ -297,7 +297,8 @@ TEST(FittedDerivatives, AreExactWhereCellsHaveACornerTwice)
     }
     vectors.row(face) = Linear(mean).transpose();
   }
-  ExpectConstant(DerivativesOfCellVectors(FramedMesh(TriangleMesh(prepared.Mesh)), prepared.Relation, vectors));
+  ExpectConstant(DerivativesOfCellVectors(FramedMesh(TriangleMesh(prepared.Mesh)), prepared.Relation, vectors,
+    CellCentres(prepared.Mesh, prepared.Relation)));
 }
 
 TEST(FittedDerivatives, OfVectorsAtTheCornersOfAStripOfOneCellAreExact)

@@ -252,8 +252,9 @@ ErrorsOfWave ErrorsOn(int subdivisions)
   {
     vectors.row(face) = sphere.Faces.ToVector(face, flow[face]).transpose();
   }
+  const SurfaceRelation relation = SurfaceRelation::OneToOne(sphere.Mesh);
   const Vector<double> vorticity =
-    DerivativesOfCellVectors(sphere, SurfaceRelation::OneToOne(sphere.Mesh), vectors).Vorticity;
+    DerivativesOfCellVectors(sphere, relation, vectors, CellCentres(sphere.Mesh, relation)).Vorticity;
   return { RelativeError(parts.StreamFunction, psi), RelativeError(vorticity, -20.0 * psi),
     Norm(sphere, parts.Rotational - flow) / Norm(sphere, flow) };
 }
