@@ -41,6 +41,12 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceVi
   return sizes;
 }
 
+std::string SummaryOf(const dmg::QuadMesh& mesh)
+{
+  return std::to_string(mesh.Quads.size()) + " quads, " + std::to_string(mesh.Report.IrregularVertices) +
+    " irregular vertices, " + std::to_string(mesh.Report.InvertedQuads) + " inverted";
+}
+
 std::string SentenceOf(const dmg::QuadReport& report, std::size_t quads)
 {
   std::string sentence;
@@ -83,6 +89,7 @@ int vtkFieldQuads::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto output = [outputVector](int port) { return vtkPolyData::GetData(outputVector, port); };
+  this->Summary.clear();
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
@@ -112,11 +119,18 @@ int vtkFieldQuads::RequestData(
       vtkErrorMacro(<< dmg::InPanelWords(quads.Report.Error));
       return;
     }
+    this->Summary = SummaryOf(quads);
     dmg::QuadsToPolyData(quads, view, output(0));
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
     dmg::Warn(this, { SentenceOf(quads.Report, quads.Quads.size()) });
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFieldQuads::GetSummary() const
+{
+  return this->Summary.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,8 @@
 #include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
+#include <string>
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldQuads : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -122,6 +124,11 @@ public:
   vtkGetMacro(BallRadius, double);
   ///@}
 
+  /**
+   * One line about the last update: the numbers of quads, irregular vertices and inverted quads. Empty before, and after an error.
+   */
+  const char* GetSummary() const;
+
   vtkFieldQuads(const vtkFieldQuads&) = delete;
   void operator=(const vtkFieldQuads&) = delete;
 
@@ -140,6 +147,7 @@ private:
   double FeatureAngle = 30.0;
   int SmoothingSteps = 6;
   double BallRadius = 0.5;
+  std::string Summary;
 };
 
 #endif

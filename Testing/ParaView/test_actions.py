@@ -327,6 +327,13 @@ def make_quads(window):
     fewer = window.play("fewer", window.set("NumberOfQuads/IntRangeWidget/LineEdit", "600"), window.apply())
     assert window.actions == 6, window.actions
     assert abs(len(quads_of(fewer)) - 600) < 60, len(quads_of(fewer))
+    irregular = (vtk_to_numpy(fewer.GetPointData().GetArray("Irregular")) != 0).sum()
+    assert f"QuadMesh1: {len(quads_of(fewer))} quads, {irregular} irregular vertices, 0 inverted" in window.log.read_text()
+    balls = window.play("balls", window.look_at("/0/0/0/2"))  # which are shown, half as large as an edge is long
+    assert balls.GetNumberOfPolys() > 0
+    picture = window.picture("balls").astype(int)
+    assert ((picture[:, 0] > 120) & (picture[:, 1] < 80) & (picture[:, 2] < 80)).sum() > 100  # red ones
+    window.play("quads again", window.select("/0/0/0"))
     file = f"{window.name}.obj"
     again = window.play("again", window.save(file), window.open(file), window.apply())
     assert np.array_equal(quads_of(again), quads_of(fewer))
