@@ -44,6 +44,12 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceVi
   return sizes;
 }
 
+std::string SummaryOf(const dmg::QuadMesh& mesh)
+{
+  return std::to_string(mesh.Quads.size()) + " quads, " + std::to_string(mesh.Report.IrregularVertices) +
+    " irregular vertices, " + std::to_string(mesh.Report.InvertedQuads) + " inverted";
+}
+
 /// Quads along the crosses of a surface; along its features, where it has none.
 dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg::Vector<dmg::Complex>>& crosses,
   const dmg::QuadOptions& options, const dmg::ExecutionContext& context)
@@ -67,6 +73,7 @@ int vtkFieldQuads::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto output = [outputVector](int port) { return vtkPolyData::GetData(outputVector, port); };
+  this->Summary.clear();
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
@@ -95,11 +102,18 @@ int vtkFieldQuads::RequestData(
       vtkErrorMacro(<< dmg::InPanelWords(quads.Report.Error));
       return;
     }
+    this->Summary = SummaryOf(quads);
     dmg::QuadsToPolyData(quads, view, output(0));
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
     dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFieldQuads::GetSummary() const
+{
+  return this->Summary.c_str();
 }
 
 //------------------------------------------------------------------------------

@@ -61,6 +61,8 @@
 #include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
+#include <string>
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldQuads : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -127,6 +129,11 @@ public:
   vtkGetMacro(BallRadius, double);
   ///@}
 
+  /**
+   * One line about the last update: the numbers of quads, irregular vertices and inverted quads. Empty before, and after an error.
+   */
+  const char* GetSummary() const;
+
   vtkFieldQuads(const vtkFieldQuads&) = delete;
   void operator=(const vtkFieldQuads&) = delete;
 
@@ -145,6 +152,7 @@ private:
   double FeatureAngle = 30.0;
   int SmoothingSteps = 6;
   double BallRadius = 0.5;
+  std::string Summary;
 };
 
 #endif

@@ -65,6 +65,8 @@ void SetColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors)
     {
       vtkSMTransferFunctionProxy::ApplyPreset(function, colors.Preset, true);
     }
+    constexpr double Land[] = { 0.72, 0.68, 0.55 }; // where there is no number: ParaView's yellow would be read as one
+    vtkSMPropertyHelper(function, "NanColor").Set(Land, 3);
     vtkSMPropertyHelper(function, "AutomaticRescaleRangeMode").Set(Never);
     vtkSMPropertyHelper(function, "ScalarRangeInitialized").Set(1); // else it is that of the first data
     function->UpdateVTKObjects();

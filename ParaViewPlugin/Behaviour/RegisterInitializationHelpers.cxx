@@ -8,6 +8,7 @@
 #include "vtkSMCyclicColorsInitializationHelper.h"
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
+#include "vtkSMHiddenDrawingsInitializationHelper.h"
 #include "vtkSMSequentialColorsInitializationHelper.h"
 
 namespace
@@ -31,5 +32,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
       Register<vtkSMSequentialColorsInitializationHelper>(interpreter, "vtkSMSequentialColorsInitializationHelper");
+      Register<vtkSMHiddenDrawingsInitializationHelper>(interpreter, "vtkSMHiddenDrawingsInitializationHelper");
     });
 }

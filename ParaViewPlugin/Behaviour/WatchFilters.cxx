@@ -21,7 +21,8 @@ void Watch(vtkSMProxy* filter, const std::string& what)
 {
   static const std::map<std::string, void (*)(vtkSMProxy*)> watches{ { "CenteredColors", WatchCenteredColors },
     { "ChosenPoint", WatchChosenPoint }, { "CyclicColors", WatchCyclicColors }, { "DeletedInputs", WatchDeletedInputs },
-    { "Followed", WatchFollowed }, { "GuidesFirst", WatchGuidesFirst }, { "GuidesOnce", WatchGuidesOnce } };
+    { "Followed", WatchFollowed }, { "GuidesFirst", WatchGuidesFirst }, { "GuidesOnce", WatchGuidesOnce },
+    { "Summary", WatchSummary } };
   const auto watch = watches.find(what);
   if (watch != watches.end())
   {

@@ -10,30 +10,49 @@
 
 namespace
 {
+// A property that a filter says after its updates, and what it said last.
+struct Sentence
+{
+  const char* Property;
+  const char* Begin; // of the sentence
+  std::string Said;
+};
+
 // Says it, unless it is what was said last.
 void AfterUpdate(vtkObject* caller, unsigned long, void* data, void*)
 {
-  auto* const said = static_cast<std::string*>(data);
+  auto* const sentence = static_cast<Sentence*>(data);
   auto* const filter = vtkSMProxy::SafeDownCast(caller);
-  filter->UpdatePropertyInformation(filter->GetProperty("Followed"));
-  const char* const found = vtkSMPropertyHelper(filter, "Followed").GetAsString();
-  const std::string followed = found ? found : "";
-  if (!followed.empty() && followed != *said)
+  filter->UpdatePropertyInformation(filter->GetProperty(sentence->Property));
+  const char* const found = vtkSMPropertyHelper(filter, sentence->Property).GetAsString();
+  const std::string now = found ? found : "";
+  if (!now.empty() && now != sentence->Said)
   {
     const char* const name = filter->GetLogName();
     vtkOutputWindowDisplayText(
-      (std::string(name ? name : filter->GetXMLLabel()) + ": the field follows " + followed + "\n").c_str());
+      (std::string(name ? name : filter->GetXMLLabel()) + ": " + sentence->Begin + now + "\n").c_str());
   }
-  *said = followed;
+  sentence->Said = now;
+}
+
+void Say(vtkSMProxy* filter, const Sentence& sentence)
+{
+  vtkNew<vtkCallbackCommand> after;
+  after->SetCallback(AfterUpdate);
+  after->SetClientData(new Sentence(sentence));
+  after->SetClientDataDeleteCallback([](void* data) { delete static_cast<Sentence*>(data); });
+  filter->AddObserver(vtkCommand::UpdateDataEvent, after);
 }
 }
 
 //------------------------------------------------------------------------------
 void WatchFollowed(vtkSMProxy* filter)
 {
-  vtkNew<vtkCallbackCommand> after;
-  after->SetCallback(AfterUpdate);
-  after->SetClientData(new std::string);
-  after->SetClientDataDeleteCallback([](void* data) { delete static_cast<std::string*>(data); });
-  filter->AddObserver(vtkCommand::UpdateDataEvent, after);
+  Say(filter, { "Followed", "the field follows ", "" });
+}
+
+//------------------------------------------------------------------------------
+void WatchSummary(vtkSMProxy* filter)
+{
+  Say(filter, { "Summary", "", "" });
 }

@@ -15,6 +15,9 @@ class vtkSMProxy;
 /// again only where that has changed.
 void WatchFollowed(vtkSMProxy* filter);
 
+/// "Summary". The same for the property Summary of a filter, which says what it has made.
+void WatchSummary(vtkSMProxy* filter);
+
 /// "GuidesFirst". The button Apply goes through all proxies that have changed, in no order that a person would know, and a new filter is
 /// updated as soon as its turn comes. Guides whose turn comes later have the values of their creation until then. Values that the panel
 /// holds for the inputs of a filter's further ports are therefore taken over when the properties of the filter are, with what these inputs

@@ -105,6 +105,7 @@ TEST(FieldQuads, OfBareSquareAreGridWithItsArrays)
   EXPECT_EQ(ReportOf(quads, "IrregularVertices"), 0);
   EXPECT_EQ(ReportOf(quads, "InvertedQuads"), 0);
   EXPECT_EQ(quads->GetPointData()->GetNormals(), nullptr);
+  EXPECT_STREQ(filter->GetSummary(), "100 quads, 0 irregular vertices, 0 inverted");
   for (vtkIdType point = 0; point < quads->GetNumberOfPoints(); ++point)
   {
     const double* const place = quads->GetPoint(point);

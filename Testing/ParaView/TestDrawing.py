@@ -283,20 +283,24 @@ class Drawing(unittest.TestCase):
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_boundaries_show_their_numbers(self):
-        """Black letters beside them, which Ink has not; and more of them for long numbers than for 0 and 1."""
+        """Yellow letters beside them, on black as on white, which Ink has not; transports first, and more letters for long numbers than for 0 and 1."""
         ring = simple.Sphere(ThetaResolution=40, PhiResolution=40, StartPhi=40, EndPhi=140)
         flow = simple.Calculator(Input=ring, ResultArrayName="Flow", Function="-coordsY * iHat + coordsX * jHat")
         parts = simple.HodgeDecomposition(Input=flow, Vectors=["POINTS", "Flow"])
         view = simple.CreateRenderView(ViewSize=[500, 500], CameraPosition=[0, -3, 1], CameraViewUp=[0, 0, 1], OrientationAxesVisibility=0,
                                        UseColorPaletteForBackground=0, Background=[1, 1, 1])
         display = simple.Show(simple.OutputPort(parts, 2), view)
+        self.assertEqual(display.NumbersArray, "BoundaryTransport")
         letters = {}
-        for kind, numbers in (("Ink", "Boundary"), ("Numbers", "Boundary"), ("Numbers", "BoundaryLength")):
-            display.Representation, display.NumbersArray = kind, numbers
-            letters[kind, numbers] = (self.colours(view).max(axis=1) < 30).sum()
-        self.assertEqual(letters["Ink", "Boundary"], 0)
-        self.assertGreater(letters["Numbers", "Boundary"], 10)
-        self.assertGreater(letters["Numbers", "BoundaryLength"], 1.5 * letters["Numbers", "Boundary"])
+        for ground in (1, 0):
+            view.Background = 3 * [ground]
+            for kind, numbers in (("Ink", "Boundary"), ("Numbers", "Boundary"), ("Numbers", "BoundaryLength")):
+                display.Representation, display.NumbersArray = kind, numbers
+                colours = self.colours(view)
+                letters[kind, numbers] = ((colours[:, 0] > 200) & (colours[:, 1] > 160) & (colours[:, 2] < 130)).sum()
+            self.assertEqual(letters["Ink", "Boundary"], 0)
+            self.assertGreater(letters["Numbers", "Boundary"], 10)
+            self.assertGreater(letters["Numbers", "BoundaryLength"], 1.5 * letters["Numbers", "Boundary"])
         simple.Delete(view)
 
     def part_of(self, view, component):

@@ -16,6 +16,7 @@ def shares(data):
 
 
 def interval():
+    assert list(simple.GetColorTransferFunction("StreamFunction").NanColor) == [0.72, 0.68, 0.55]  # land
     colours = simple.GetColorTransferFunction("StreamFunction").RGBPoints
     return colours[0], colours[-4]
 

@@ -327,10 +327,30 @@ def make_quads(window):
     fewer = window.play("fewer", window.set("NumberOfQuads/IntRangeWidget/LineEdit", "600"), window.apply())
     assert window.actions == 6, window.actions
     assert abs(len(quads_of(fewer)) - 600) < 60, len(quads_of(fewer))
+    irregular = (vtk_to_numpy(fewer.GetPointData().GetArray("Irregular")) != 0).sum()
+    assert f"QuadMesh1: {len(quads_of(fewer))} quads, {irregular} irregular vertices, 0 inverted" in window.log.read_text()
+    balls = window.play("balls", window.look_at("/0/0/0/2"))  # which are shown, half as large as an edge is long
+    assert balls.GetNumberOfPolys() > 0
+    picture = window.picture("balls").astype(int)
+    assert ((picture[:, 0] > 120) & (picture[:, 1] < 80) & (picture[:, 2] < 80)).sum() > 100  # red ones
+    window.play("quads again", window.select("/0/0/0"))
+    hide_the_field(window)
     file = f"{window.name}.obj"
     again = window.play("again", window.save(file), window.open(file), window.apply())
     assert np.array_equal(quads_of(again), quads_of(fewer))
     assert np.abs(vtk_to_numpy(again.GetPoints().GetData()) - vtk_to_numpy(fewer.GetPoints().GetData())).max() < 1e-5
+
+
+def hide_the_field(window):
+    """Where quads come from a field, its lines give way to them: nothing has the colour of ink."""
+    def number_of_ink(image):
+        return (np.abs(image.astype(int) - (26, 51, 153)).max(axis=1) < 6).sum()
+
+    window.play("field", window.select("/0/0"), window.choose_filter("DirectionalField"), window.apply())
+    assert number_of_ink(window.picture("field")) > 1000
+    window.play("of field", window.choose_filter("QuadMesh"), window.apply())
+    assert number_of_ink(window.picture("of-field")) < 20
+    window.play("former quads", window.select("/0/0/0"))
 
 
 TESTS = {"Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),

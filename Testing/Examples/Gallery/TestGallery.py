@@ -296,6 +296,14 @@ def check_quad_way(result):
     assert irregular.sum() == -8 and (irregular != 0).sum() == field_data(quads, "Singularities")
 
 
+def check_quad_map(result):
+    """Valences sum as on a sphere, and the map has seams."""
+    quads, seams = result
+    irregular = vtk_to_numpy(fetch(quads).GetPointData().GetArray("Irregular"))
+    assert -irregular.sum() == 8 and 8 <= np.abs(irregular).sum() < 60, irregular.sum()  # 4 times the Euler characteristic
+    assert fetch(seams).GetNumberOfCells() > 50
+
+
 def check_unit_length(result):
     """Edges are alike where singularities keep apart."""
     spreads = []
@@ -331,9 +339,10 @@ def check_shell(result):
 
 def check_hatching(result):
     """The drawing is made of lines, as many as there are, and lighter where the light is: above."""
-    hatching, outline, drawing = result
+    ends, hatching, outline, drawing = result
     shapes = list(ElementTree.parse(drawing).iter("{http://www.w3.org/2000/svg}polyline"))
-    assert len(shapes) == hatching.GetNumberOfCells() + outline.GetNumberOfCells()
+    assert len(shapes) == sum(lines.GetNumberOfCells() for lines in (ends, hatching, outline))
+    assert ends.GetNumberOfCells() == 2 * hatching.GetNumberOfCells()  # of each line
     assert hatching.GetNumberOfCells() > 150 and outline.GetNumberOfCells() >= 1
     heights = vtk_to_numpy(hatching.GetPoints().GetData())[:, 1]
     low, high = outline.GetBounds()[2:4]
