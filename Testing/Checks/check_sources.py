@@ -68,7 +68,7 @@ ARROWS = {
     "Singularities": {"Setup", "Discretisations/Constraints", "Analysis", "Operators", "Mesh", "Support"},
     "Flows": {"Setup", "Analysis", "Mesh", "Support"},
     "Geodesics": {"Constraints", "Drawing", "Solvers/Direct", "Operators", "Mesh", "Support"},
-    "Scales": {"Setup", "Discretisations", "Solvers/Multigrid", "Solvers/Krylov", "Solvers", "Operators", "Mesh", "Support"},
+    "Scales": {"Flows", "Setup", "Discretisations", "Solvers/Multigrid", "Solvers/Krylov", "Solvers", "Operators", "Mesh", "Support"},
     "Quads/Crosses": {"Constraints", "Solvers/Direct", "Analysis", "Directions", "Mesh", "Support"},
     "Quads/Map": {"Quads/Crosses", "Solvers/Direct", "Mesh", "Support"},
     "Quads/Isolines": {"Quads/Map", "Quads/Crosses", "Constraints", "Mesh", "Support"},
