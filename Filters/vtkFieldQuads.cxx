@@ -2,12 +2,14 @@
 
 #include "Adapters/Input/CrossesOfSurface.h"
 #include "Adapters/Output/QuadsToPolyData.h"
+#include "Adapters/Output/WarningsOfQuads.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
+#include "SurfaceQuads.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -15,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkFieldQuads);
@@ -41,33 +44,14 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceVi
   return sizes;
 }
 
-std::string SentenceOf(const dmg::QuadReport& report, std::size_t quads)
+/// Quads along the crosses of a surface; along its features, where it has none.
+dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg::Vector<dmg::Complex>>& crosses,
+  const dmg::QuadOptions& options, const dmg::ExecutionContext& context)
 {
-  std::string sentence;
-  if (!report.RefinedFaces.empty())
-  {
-    sentence += "edges are shorter on " + std::to_string(report.RefinedFaces.size()) +
-      " triangles, where a handle, a hole or a component would be lost, which makes " + std::to_string(quads) +
-      " quads. ";
-  }
-  if (report.SplitFaces > 0)
-  {
-    sentence += std::to_string(report.SplitFaces) +
-      " triangles, of components with few of them, were split into quads that follow no field. ";
-  }
-  if (report.LeftOut > 0)
-  {
-    sentence += std::to_string(report.LeftOut) + " pairs of triangles back to back are left out. ";
-  }
-  if (report.CutOff > 0)
-  {
-    sentence += "thin parts at the boundary may be lost at " + std::to_string(report.CutOff / 2) + " places. ";
-  }
-  if (report.InvertedQuads > 0)
-  {
-    sentence += std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian. ";
-  }
-  return sentence.empty() ? sentence : sentence.substr(0, sentence.size() - 1);
+  const dmg::ElementNames names = view.Relation().Names();
+  return crosses
+    ? dmg::MakeQuads(view.Surface().Geometry, *crosses, options, context, names)
+    : dmg::MakeQuadsAlongFeatures({ view.Prepared(), &view.Prepared()->Geometry }, options, context, names);
 }
 
 }
@@ -101,11 +85,10 @@ int vtkFieldQuads::RequestData(
     options.FeatureAngle = this->FeatureAngle;
     options.SmoothingSteps = this->SmoothingSteps;
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
-    const dmg::Vector<dmg::Complex> crosses =
-      dmg::CrossesOf(this, view, this->NumberOfDirections, options, dmg::PartOfContext(context, 0.0, 0.3));
+    const std::optional<dmg::Vector<dmg::Complex>> crosses =
+      dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
-    const dmg::QuadMesh quads = dmg::MakeQuads(
-      view.Surface().Geometry, crosses, options, dmg::PartOfContext(context, 0.3, 1.0), view.Relation().Names());
+    const dmg::QuadMesh quads = MakeQuadsOf(view, crosses, options, dmg::PartOfContext(context, 0.1, 1.0));
     dmg::MapToPolyData(quads, view, output(1));
     if (!quads.Report.Error.empty())
     {
@@ -114,7 +97,7 @@ int vtkFieldQuads::RequestData(
     }
     dmg::QuadsToPolyData(quads, view, output(0));
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
-    dmg::Warn(this, { SentenceOf(quads.Report, quads.Quads.size()) });
+    dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

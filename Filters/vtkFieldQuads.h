@@ -23,19 +23,22 @@
  * @section vtkFieldQuads-Outputs Outputs
  *
  * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and a quad has the arrays of a cell
- * below it. Besides,
+ * below it. It has no normals, as points at sharp edges have several: quads are shaded as flat, and vtkPolyDataNormals with Splitting on
+ * makes normals, which doubles these points. Besides,
  *
  * | array          | of     | components | type   | meaning                                                         |
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
- * | Normals        | points | 3          | double | of the surface, unit; the active normals                        |
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, <= 0 if inverted   |
  *
- * The field data say, an int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
+ * The field data say, of distances: DistanceFromQuads of the surface, largest and mean; FarthestPlace, where it is largest; and
+ * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and
+ * RatioOfSizes the largest over the smallest length of edges, asked for and reached. An int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
  * of the map, InvertedQuads, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
  * components that no other quads fit.
  *
- * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts.
+ * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges
+ * longer than those of quads are halved, as a map has no room to bend within large triangles.
  * A texture that repeats shows the grid.
  *
  * Port 2, the irregular vertices: vtkPolyData, a ball for each vertex inside of the mesh that has not four quads, with the arrays

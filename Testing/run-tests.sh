@@ -17,6 +17,16 @@ cd "$(dirname "$0")/.."
 
 step() { printf '\n== %s\n' "$*"; }
 
+# Runs a command, and notes its minutes under a name.
+minutes=
+timed() {
+  local name=$1 begin=$SECONDS status=0
+  shift
+  "$@" || status=$?
+  minutes+=$(printf '%-18s %5.1f' "$name" "$(((SECONDS - begin) * 10 / 60))e-1")$'\n'
+  return $status
+}
+
 # Builds a preset; further arguments are those of cmake --build. Without a compiler cache that knows the sources, precompiled
 # headers take half of the time away. One flavour goes without, since it notices where a source includes too little.
 build() {
@@ -24,7 +34,7 @@ build() {
   local precompiled=ON
   [ "$1" = vtk-asan ] && precompiled=OFF
   cmake --preset "$1" "-DDMG_PRECOMPILED_HEADERS=$precompiled" > "build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
-  cmake --build --preset "$@"
+  timed "$1: build" cmake --build --preset "$@"
 }
 
 # Runs a preset's tests and counts them; further arguments are those of ctest.
@@ -32,7 +42,7 @@ run() {
   step "$1: test"
   local report=build/$1-tests.xml
   rm -f "$report"
-  ctest --preset "$@" --parallel "$(nproc)" --output-junit "$PWD/$report" || {
+  timed "$1: test" ctest --preset "$@" --parallel "$(nproc)" --output-junit "$PWD/$report" || {
     echo "$1: see the failures above"
     all_well=no # also where ctest finds no test
   }
@@ -85,5 +95,7 @@ else
   failed=$((failed + 1))
 fi
 
+step "Minutes"
+printf '%s' "$minutes"
 printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
 [ "$all_well" = yes ]

@@ -32,8 +32,9 @@ install(TARGETS dmgCore EXPORT DirectionalMultigridCore
 set(entrances
   Directions/FieldTopology.h Directions/PrincipalDirections.h Drawing/ContourLines.h Drawing/EvenlySpacedLines.h Drawing/FieldGlyphs.h
   Drawing/GlyphPlaces.h FieldSolver.h Flows/FlowOperators.h Flows/HodgeDecomposition.h Geodesics/ParallelTransport.h
+  Geodesics/SurfaceDistance.h
   Preparation/PolygonSurface.h Preparation/PreparedSurface.h Quads/QuadMesh.h Scales/FlowScales.h Scales/ScaleFilter.h Scales/Spectrum.h
-  Singularities/PrescribedSingularities.h StructurePreserving/SurfaceHierarchy.h)
+  Singularities/PrescribedSingularities.h StructurePreserving/SurfaceHierarchy.h SurfaceQuads.h)
 if (DMG_PETSC)
   list(APPEND entrances Pieces/FieldSolverInPieces.h)
   install(TARGETS dmgPieces EXPORT DirectionalMultigridPieces

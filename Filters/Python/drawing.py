@@ -17,6 +17,8 @@ def draw_as_ink(actor: Actor) -> Actor:
     without flickering, and in the same colour, as they are not lit. Returns the actor, for plotter.add_mesh(...) of PyVista in one line.
     """
     _check_vtk(actor, "the actor")
+    if not hasattr(actor, "GetShaderProperty"):
+        raise TypeError(f"the actor is of type {type(actor).__name__}, which is no vtkActor")
     actor.GetProperty().LightingOff()
     actor.GetShaderProperty().AddVertexShaderReplacement("//VTK::PositionVC::Impl", True, vtkFieldLines.GetInkShader(), False)
     return actor

@@ -10,7 +10,7 @@ from typing import Union
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
-from .fields import update
+from .fields import _check_mesh, _set_property, update
 from .vtkFiltersDirectionalFields import vtkFieldWriter
 
 Path = Union[str, "os.PathLike[str]"]
@@ -48,9 +48,10 @@ def write_sharp(path: Path, mesh: vtkDataSet, feature_angle: float = 30.0) -> No
 
 
 def _write(path: Path, mesh: vtkDataSet, format: int, feature_angle: float = 30.0) -> None:
+    _check_mesh(mesh)
     writer = vtkFieldWriter()
     writer.SetInputData(mesh)
     writer.SetFileName(os.fspath(path))
     writer.SetFormat(format)
-    writer.SetFeatureAngle(feature_angle)
+    _set_property(writer, "FeatureAngle", feature_angle)
     update(writer)

@@ -182,7 +182,7 @@ def _set_properties(algorithm: vtkAlgorithm, properties: Dict[str, Property], ar
     known = sorted(name for name in _properties_of(algorithm) if name.lower() not in (*arguments, *other_names))
     for name, value in properties.items():
         if name not in known:
-            raise TypeError(f"there is no property {name}; " + _nearest(name, [*known, *arguments], other_names))
+            raise TypeError(f"there is no property {_short(name)[1:-1]}; " + _nearest(name, [*known, *arguments], other_names))
         _set_property(algorithm, name, value)
 
 
@@ -214,20 +214,20 @@ def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) ->
                if isinstance(item, int) and type(item).__name__.startswith(name.rstrip("s"))}
     if choices and isinstance(value, str):
         if value not in choices:
-            raise FieldError(f"{name} is not {value!r} but one of {', '.join(choices)}")
+            raise FieldError(f"{name} is not {_short(value)} but one of {', '.join(choices)}")
         value = choices[value]
     try:
         getattr(solver, "Set" + name)(_converted(value, type(getattr(solver, "Get" + name)())))
     except TypeError as error:
-        raise TypeError(f"{name} = {value!r}: {error}") from None
+        raise TypeError(f"{name} = {_short(value)}: {error}") from None
     except OverflowError:
-        raise FieldError(f"{name} = {value!r} is out of range") from None
+        raise FieldError(f"{name} = {_short(value)} is out of range") from None
 
 
 def _converted(value: Any, kind: type) -> Property:
     """The value in the type of the property. The wrapping would take NaN, None for an empty name, and any object for a bool."""
     if kind is bool:
-        if value is None or isinstance(value, (str, bytes)) or value not in (False, True):
+        if not hasattr(value, "__bool__") or getattr(value, "ndim", 0) or value not in (False, True):
             raise TypeError("it is True or False")
         return bool(value)
     if kind is tuple:
@@ -253,11 +253,17 @@ def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkDataSet, index: int, 
         solver.SetInputArrayToProcess(index, 0, 0, points, "")
         return
     if not isinstance(name, str):
-        raise TypeError(f"{name!r} is no name of an array")
+        raise TypeError(f"{_short(name)} is no name of an array")
     for association, attributes in ((points, mesh.GetPointData()), (cells, mesh.GetCellData())):
         if attributes.HasArray(name):
             solver.SetInputArrayToProcess(index, 0, 0, association, name)
             return
     there = dict.fromkeys(attributes.GetArrayName(i) for attributes in (mesh.GetPointData(), mesh.GetCellData())
                           for i in range(attributes.GetNumberOfArrays()))
-    raise FieldError(f"the mesh has no array {name!r}; it has {', '.join(map(repr, there)) or 'none'}")
+    raise FieldError(f"the mesh has no array {_short(name)}; it has {', '.join(map(_short, there)) or 'none'}")
+
+
+def _short(value: Any) -> str:
+    """A value as messages say it: names that are longer than 100 characters are cut."""
+    text = repr(value)
+    return text if len(text) <= 102 or isinstance(value, numbers.Number) else text[:100] + "..." + text[-1]

@@ -6,7 +6,7 @@ from typing import Optional, Sequence, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
-from .fields import FieldError, Property, _check_mesh, _choose_array, _set_properties, _update
+from .fields import FieldError, Property, _check_mesh, _choose_array, _converted, _set_properties, _short, _update
 from .vtkFiltersDirectionalFields import vtkParallelTransport
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
@@ -49,7 +49,11 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[s
 
 
 def _three(name: str, values: Sequence[float]) -> Sequence[float]:
-    numbers = [float(each) for each in values]
-    if len(numbers) != 3:
-        raise FieldError(f"{name} has {len(numbers)} numbers; give three")
-    return numbers
+    if isinstance(values, Sequence) and not isinstance(values, str) and len(values) != 3:
+        raise FieldError(f"{name} has {len(values)} numbers; give three")
+    try:
+        return _converted(values, tuple)
+    except TypeError as error:
+        raise TypeError(f"{name} = {_short(values)}: {error}") from None
+    except OverflowError:
+        raise FieldError(f"{name} = {_short(values)} is out of range") from None

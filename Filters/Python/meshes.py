@@ -23,7 +23,7 @@ def quads(mesh: vtkDataSet, number: Optional[int] = None, directions: Optional[s
     sizes        the name of an array of lengths of edges relative to other places
     properties   properties of vtkFieldQuads by name, as AlignSharpEdges=False
 
-    Returns the quads, of the class of the mesh where that is derived from vtkPolyData: with the arrays of the mesh, Irregular and Normals
+    Returns the quads, of the class of the mesh where that is derived from vtkPolyData: with the arrays of the mesh, Irregular
     at points, and ScaledJacobian on cells.
 
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the

@@ -19,3 +19,12 @@ TEST(PanelWords, ReplaceEachRemedyOfTheCore)
   }
   EXPECT_EQ(InPanelWords("cell 3 is wrong; repair it"), "cell 3 is wrong; repair it");
 }
+
+TEST(PanelWords, CutLongNames)
+{
+  const std::string hundred(100, 'n');
+  EXPECT_EQ(
+    InPanelWords("the array '" + hundred + "n' is not 'there'"), "the array '" + hundred + "...' is not 'there'");
+  EXPECT_EQ(InPanelWords("the array '" + hundred + "' is not there"), "the array '" + hundred + "' is not there");
+  EXPECT_EQ(InPanelWords("the cells' points, " + hundred + hundred), "the cells' points, " + hundred + hundred);
+}

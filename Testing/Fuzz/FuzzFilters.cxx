@@ -10,6 +10,8 @@
 #include "vtkHodgeDecomposition.h"
 
 #include "Cxx/TestTools.h"
+#include "Fuzz/Choices.h"
+#include "Fuzz/OtherData.h"
 
 #include "vtkDirectionalProlongation.h"
 #include "vtkFieldAngles.h"
@@ -17,11 +19,11 @@
 #include "vtkFieldLines.h"
 #include "vtkFieldQuads.h"
 #include "vtkFieldSingularities.h"
+#include "vtkFieldWriter.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <chrono>
@@ -33,7 +35,6 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
-#include <random>
 #include <set>
 #include <utility>
 
@@ -42,31 +43,6 @@ using namespace dmg::test;
 
 namespace
 {
-
-/// Choices from a seed, the same with every standard library.
-class Choices
-{
-public:
-  explicit Choices(unsigned long long seed)
-    : Bits(seed)
-  {
-  }
-
-  int Below(int n) { return static_cast<int>(this->Bits() % static_cast<unsigned>(n)); }
-  bool OneIn(int n) { return this->Below(n) == 0; }
-  double Unit() { return static_cast<double>(this->Bits() >> 11) / 9007199254740992.0; }
-
-  /// Mostly ordinary.
-  double Number()
-  {
-    const double special[] = { 0.0, -0.0, 1.0, -1.0, 1e-300, -1e300, 1e-45, 1e39, 1e-39, 1e20, 1e-20, 5e-324, 1e308,
-      std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
-    return this->OneIn(12) ? special[this->Below(15)] : 2.0 * this->Unit() - 1.0;
-  }
-
-private:
-  std::mt19937_64 Bits;
-};
 
 Surface ShapeOf(Choices& choose)
 {
@@ -459,38 +435,6 @@ void RunWithEdges(Choices& choose, vtkHodgeDecomposition* hodge, vtkPolyData* su
   Run(hodge, surface);
 }
 
-/// The same cells as an unstructured grid of any types, some with too few points or with points that are not there, beside lines
-/// and arrays that are too short or not finite.
-vtkSmartPointer<vtkUnstructuredGrid> DamagedGrid(Choices& choose, vtkPolyData* surface)
-{
-  constexpr int Types[] = { VTK_TRIANGLE, VTK_PIXEL, VTK_POLYGON, VTK_TRIANGLE_STRIP, VTK_QUADRATIC_TRIANGLE,
-    VTK_BIQUADRATIC_QUAD, VTK_LAGRANGE_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_TRIANGLE,
-    VTK_BEZIER_QUADRILATERAL, VTK_QUADRATIC_POLYGON, VTK_LINE, VTK_VERTEX };
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(surface->GetPoints());
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetCellPoints(cell, corners);
-    grid->InsertNextCell(VTK_POLYGON, corners);
-  }
-  const int size = static_cast<int>(surface->GetNumberOfPoints());
-  for (int more = choose.Below(4); more > 0; --more)
-  {
-    corners->Reset();
-    for (int k = choose.Below(12); k > 0; --k)
-    {
-      corners->InsertNextId(choose.OneIn(40) ? choose.Below(2000000000) - 1000000000 : choose.Below(size));
-    }
-    grid->InsertNextCell(Types[choose.Below(static_cast<int>(std::size(Types)))], corners);
-  }
-  vtkNew<vtkDoubleArray> array;
-  array->SetNumberOfTuples(choose.Below(static_cast<int>(grid->GetNumberOfCells()) + 1));
-  array->Fill(choose.Number());
-  grid->GetCellData()->AddArray(array); // without a name
-  return grid;
-}
-
 /// The triangles of a surface as strips, beside an array of any length.
 vtkSmartPointer<vtkPolyData> StripsOf(Choices& choose, vtkPolyData* surface)
 {
@@ -539,7 +483,79 @@ void RunQuads(Choices& choose, vtkPolyData* surface)
   }
 }
 
-void RunCase(unsigned long long seed)
+/// Files for remeshers of a field that may be damaged: numbers that are finite, or an error and no file.
+void RunWriter(Choices& choose, vtkDataSet* field, const std::filesystem::path& folder)
+{
+  const std::string file = (folder / "FuzzFilters.written").string();
+  std::filesystem::remove(file);
+  vtkNew<vtkFieldWriter> writer;
+  const Messages messages(writer);
+  writer->SetInputData(field);
+  writer->SetFileName(file.c_str());
+  writer->SetFormat(1 + choose.Below(3));
+  writer->SetFeatureAngle(180.0 * choose.Unit());
+  writer->Update(); // runs it: a writer has no output
+  if (std::filesystem::exists(file) != messages.Error().empty())
+  {
+    throw std::runtime_error("vtkFieldWriter: neither a file nor an error, or both");
+  }
+  std::ifstream written(file);
+  std::string word;
+  while (std::getline(written, word))
+  {
+    if (word.find("nan") != std::string::npos || word.find("inf") != std::string::npos)
+    {
+      throw std::runtime_error("vtkFieldWriter: a number in the file is not finite");
+    }
+  }
+}
+
+/// What came to be read after the seeds of the corpus were found: choices of its own leave those cases as they are.
+void RunOtherData(Choices choose, vtkPolyData* surface, const std::filesystem::path& folder)
+{
+  vtkNew<vtkHarmonicFieldSolver> solver; // the default kind of field
+  solver->SetNumberOfDirections(1 + choose.Below(8));
+  solver->SetBoundaryWeight(choose.Below(2));
+  solver->SetSolver(choose.Below(6));
+  solver->SetInputData(surface);
+  if (choose.OneIn(2))
+  {
+    solver->SetInputArrayToProcess(1, 0, 0, choose.Below(2), "Given");
+  }
+  Run(solver, surface);
+  vtkNew<vtkPolyData> field;
+  field->DeepCopy(solver->GetOutput()->GetNumberOfCells() > 0 ? solver->GetOutput() : surface);
+  if (choose.OneIn(2))
+  {
+    Damage(choose, field->GetCellData());
+  }
+  RunWriter(choose, field, folder);
+
+  vtkNew<vtkFieldSingularities> singularities;
+  vtkNew<vtkFieldLines> lines;
+  vtkNew<vtkHodgeDecomposition> hodge;
+  vtkNew<vtkParallelTransport> transport;
+  vtkNew<vtkPrincipalDirections> principal;
+  vtkNew<vtkFieldQuads> quads;
+  quads->SetNumberOfQuads(1 + choose.Below(100));
+  for (int step = 1 + choose.Below(2); step > 0; --step) // the second time, much is kept
+  {
+    const vtkSmartPointer<vtkDataObject> data = choose.OneIn(2) ? VolumeOf(choose) : BlocksOf(choose, surface);
+    for (vtkAlgorithm* const filter :
+      std::initializer_list<vtkAlgorithm*>{ solver, singularities, lines, hodge, transport, principal, quads })
+    {
+      filter->SetInputDataObject(data);
+      const Messages messages(filter);
+      filter->Update(); // ends, with an output or an error
+    }
+    if (auto* const volume = vtkDataSet::SafeDownCast(data))
+    {
+      RunWriter(choose, volume, folder);
+    }
+  }
+}
+
+void RunCase(unsigned long long seed, const std::filesystem::path& folder)
 {
   Choices choose(seed);
   vtkSmartPointer<vtkPolyData> input = SurfaceOf(choose);
@@ -609,6 +625,7 @@ void RunCase(unsigned long long seed)
     }
   }
   RunQuads(choose, choose.OneIn(2) ? field : input);
+  RunOtherData(Choices(seed + 1000000000), input, folder);
 }
 
 /// \return whether it is as it must be.
@@ -618,7 +635,7 @@ bool Try(unsigned long long seed, const std::filesystem::path& record)
   const auto start = std::chrono::steady_clock::now();
   try
   {
-    RunCase(seed);
+    RunCase(seed, record.parent_path());
   }
   catch (const std::exception& error)
   {

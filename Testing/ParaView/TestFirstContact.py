@@ -104,6 +104,29 @@ class FirstContact(unittest.TestCase):
             points = simple.servermanager.Fetch(drawn).GetNumberOfPoints()
             self.assertEqual(points > 0, kind is not simple.FieldSingularities)  # parallel vectors have none
 
+    def test_fibres_follow_the_only_vectors(self):
+        """Beside normals. Of two arrays none is chosen, and what a script names stays."""
+        fibres = simple.Calculator(Input=sphere(), ResultArrayName="Fibres", Function="kHat")
+        both = simple.Calculator(Input=fibres, ResultArrayName="Sheets", Function="jHat")
+        both.UpdatePipeline()
+        for kind in (simple.FibreOrientation, simple.FiberOrientation):
+            self.assertEqual(list(kind(Input=fibres).Directions), ["POINTS", "Fibres"])
+            self.assertEqual(kind(Input=fibres, Directions=["POINTS", "Normals"]).Directions[1], "Normals")
+            self.assertEqual(kind(Input=both).Directions[1], "None")
+            self.assertEqual(kind(Input=sphere()).Directions[1], "None")
+        self.assertEqual(simple.LineField(Input=fibres).Directions[1], "None")
+
+    def test_quads_of_parts_have_flat_faces(self):
+        """A box has one shade on each of the three sides that are seen: no normals are averaged over its edges."""
+        view = simple.CreateRenderView(ViewSize=[300, 300], OrientationAxesVisibility=0, CameraPosition=[3, 4, 5])
+        part = simple.Subdivide(Input=simple.Triangulate(Input=simple.Box()), NumberofSubdivisions=3)
+        display = show(simple.QuadMesh(Input=part, NumberOfQuads=300))
+        self.assertEqual(display.Representation, "Surface With Edges")
+        display.Representation, display.ColorArrayName = "Surface", ["POINTS", ""]
+        simple.Render(view)
+        shades, pixels = np.unique(vtk_to_numpy(view.CaptureWindow(1).GetPointData().GetScalars()), axis=0, return_counts=True)
+        self.assertEqual((pixels > 100).sum(), 4, pixels)  # and the background
+
     def test_messages_say_what_is_followed(self):
         window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)

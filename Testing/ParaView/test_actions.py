@@ -17,7 +17,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_sphere, xdotool
+from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_flow, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -267,6 +267,15 @@ def draw_after_the_filter(window):
     assert taken(flow) == 2
 
 
+def draw_fibres(window):
+    """Measured vectors, the only ones of a file, are followed by four actions."""
+    field = window.play("fibres", window.apply(), window.choose_other_filter("FibreOrientation"), window.apply())
+    assert window.actions == 4, window.actions
+    assert field.GetFieldData().GetArray("NumberOfDirections").GetValue(0) == 2
+    assert (prescribed(field) > 0).mean() > 0.9
+    assert "the field follows array 'Flow'" in window.log.read_text()
+
+
 def write_eigenvectors(path):
     """A sphere with normals, an axis whose sign is random, and a tensor; none is active."""
     source = vtkSphereSource()
@@ -322,7 +331,7 @@ def make_quads(window):
     assert np.abs(vtk_to_numpy(again.GetPoints().GetData()) - vtk_to_numpy(fewer.GetPoints().GetData())).max() < 1e-5
 
 
-TESTS = {"Quads": (write_bare_sphere, make_quads),
+TESTS = {"Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),
          "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "FilterFirst": (write_sphere, draw_after_the_filter)}

@@ -7,6 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter, vtkGeometryFilter
@@ -159,7 +160,7 @@ class AnySurface(unittest.TestCase):
         for k, leaf in enumerate((out(source), data, image())):
             blocks.SetBlock(k, leaf)
         field = solved(blocks)
-        self.assertEqual([type(field.GetBlock(k)) for k in range(3)], [vtkPolyData, type(data), vtkImageData])
+        self.assertEqual([field.GetBlock(k).GetClassName() for k in range(3)], ["vtkPolyData", data.GetClassName(), "vtkImageData"])
 
     def test_layers_along_a_wall_are_no_rounding(self):
         data = odd()["layers_along_a_wall"][0]
@@ -207,6 +208,26 @@ class AnySurface(unittest.TestCase):
             lengths = np.linalg.norm(directions(field.GetBlock(k)), axis=1)
             np.testing.assert_allclose(lengths, 1.0, atol=1e-12)
         self.assertIsNone(field.GetBlock(2))
+
+    def test_grids_of_adaptive_refinement_are_blocks(self):
+        """Such a dataset holds only grids, and the skin of a volume is none."""
+        for dimension, kind in ((2, "vtkUniformGrid"), (3, "vtkPolyData")):
+            source = vtkAMRGaussianPulseSource()
+            source.SetDimension(dimension)
+            solver = vtkHarmonicFieldSolver()
+            solver.SetInputConnection(source.GetOutputPort())
+            with warnings.catch_warnings(record=True):
+                field = update(solver)
+            self.assertIsInstance(field, vtkMultiBlockDataSet)
+            leaves, count = field.NewIterator(), 0
+            leaves.InitTraversal()
+            while not leaves.IsDoneWithTraversal():
+                leaf = leaves.GetCurrentDataObject()
+                self.assertTrue(leaf.IsA(kind), leaf.GetClassName())
+                self.assertGreater(np.linalg.norm(directions(leaf), axis=1).max(), 0.99)
+                leaves.GoToNextItem()
+                count += 1
+            self.assertEqual(count, 3)
 
     def test_blocks_keep_their_set_ups(self):
         """A moved guide solves anew, on leaves that come and go in any order; another surface is set up as the only one."""

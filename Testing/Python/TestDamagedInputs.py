@@ -369,6 +369,22 @@ class ExtremeProperties(unittest.TestCase):
                 with self.assertRaisesRegex(FieldError, "Axis is .*, which has no direction"):
                     measure(*wrong)
 
+    def test_balls_are_drawn_at_the_largest_coordinates(self):
+        """Those are beyond what floats hold; so is an edge of quads that is the longest of its range."""
+        quads = made(vtkFieldQuads, sphere())
+        quads.SetEdgeLength(1e40)
+        update(quads)
+        self.assertGreater(quads.GetOutput(2).GetNumberOfPoints(), 0)
+        far = sphere()
+        far.GetPoints().SetData(numpy_to_vtk(9e39 / 0.5 * vtk_to_numpy(far.GetPoints().GetData()).astype(float), deep=True))
+        quads.SetEdgeLength(0)
+        quads.SetNumberOfQuads(60)
+        for balls, port, data in ((quads, 2, far), (vtkFieldSingularities(), 3, smooth_field(far))):
+            balls.SetInputData(data)
+            update(balls)
+            lengths = np.linalg.norm(vtk_to_numpy(balls.GetOutput(port).GetPoints().GetData()) / 9e39, axis=1)
+            np.testing.assert_allclose(lengths, 1, atol=0.3)
+
     def test_flows_are_decomposed_or_refused_by_their_size(self):
         """Parts of a flow are as large as the flow, whatever its unit."""
         mesh = sphere()

@@ -18,7 +18,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import directionalmultigrid
-from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
+from directionalmultigrid import FieldError, FieldWarning, draw_as_ink, quads, smooth_field, transport, update, write_rosy, write_sharp
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver
 from surfaces import prescribe, surface, torus, values, values_of_points
 
@@ -186,6 +186,9 @@ class SmoothField(unittest.TestCase):
                 (TypeError, "Discretisation = None: .*integer", {"Discretisation": None}),
                 (TypeError, "UnitLength = None: .*True or False", {"UnitLength": None}),
                 (TypeError, "UnitLength = 'off': .*True or False", {"UnitLength": "off"}),
+                (TypeError, "UnitLength = array.*True or False", {"UnitLength": np.array([1, 0])}),
+                (FieldError, "no array 'm{99}[.][.][.]'; it has", {"Mask": "m" * 500}),
+                (TypeError, "no property p{99}[.][.][.]; there", {"p" * 500: 1}),
                 (TypeError, "GuideWeights = None: .*name", {"GuideWeights": None}),
                 (TypeError, "guides are datasets", {"guides": [3]}),
                 (TypeError, "guides are datasets", {"guides": 3}),
@@ -227,6 +230,36 @@ class SmoothField(unittest.TestCase):
                           "    try:\n        call()\n    except FieldError:\n        continue\n"
                           "    raise AssertionError\n")
         self.assertEqual(messages, "")
+
+
+class OtherTypes(unittest.TestCase):
+    def test_each_function_names_what_is_of_another_type(self):
+        mesh = torus(12, 8)
+        for text, call in (("the mesh is of type NoneType", lambda: write_rosy("field", None)),
+                           ("the mesh is of type int", lambda: write_sharp("field", 5)),
+                           ("FeatureAngle = 'x'", lambda: write_sharp("field", mesh, "x")),
+                           ("the actor is of type int", lambda: draw_as_ink(5)),
+                           ("point = 3: .*vector", lambda: transport(mesh, point=3)),
+                           ("direction = 'xyz': .*vector", lambda: transport(mesh, direction="xyz")),
+                           ("NumberOfQuads = '5'", lambda: quads(mesh, number="5"))):
+            with self.subTest(text), self.assertRaisesRegex(TypeError, text):
+                call()
+
+    def test_a_volume_is_noted_in_the_log_once(self):
+        """Two filters on two volumes: a line on standard error, none on standard output."""
+        code = """if True:
+            from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+            from directionalmultigrid import update
+            from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
+            for size in (3, 4):
+                source, solver = vtkRTAnalyticSource(), vtkHarmonicFieldSolver()
+                source.SetWholeExtent(0, size, 0, 3, 0, 3)
+                solver.SetInputConnection(source.GetOutputPort())
+                update(solver)
+        """
+        done = subprocess.run([sys.executable, "-c", code], text=True, check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count("its skin is the surface"), 1)
 
 
 class Update(unittest.TestCase):

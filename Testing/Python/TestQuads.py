@@ -1,10 +1,11 @@
 """Quad meshes: quads(), and the filter behind it."""
 
 import unittest
+import warnings
 
 import numpy as np
 from directionalmultigrid import FieldError, quads, smooth_field
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource, vtkSphereSource
 from surfaces import disc, grid
@@ -103,6 +104,35 @@ class Quads(unittest.TestCase):
         self.assertEqual(euler(quads(field, 500, "Direction0")), 2)
         with self.assertRaisesRegex(FieldError, "6 directions"):
             quads(smooth_field(sphere(), n=6), 500)
+
+    def test_report_says_distances_and_shares_of_area(self):
+        data = quads(sphere(), 600).GetFieldData()
+        from_quads, from_surface, shares = [vtk_to_numpy(data.GetArray(name)) for name in
+                                            ("DistanceFromQuads", "DistanceFromSurface", "AreaShares")]
+        edge = (4 * np.pi / 600)**0.5
+        self.assertTrue(0 < from_quads[1] < from_quads[0] < edge / 4)  # largest and mean: chords of squares are edge^2 / 4 deep
+        self.assertTrue(0 < from_surface[1] < from_surface[0] < edge / 4)
+        self.assertAlmostEqual(shares[0], 1, 1)
+        self.assertEqual(len(vtk_to_numpy(data.GetArray("FarthestPlace"))), 3)
+
+    def test_of_another_number_than_asked_for_is_a_warning_with_the_reason(self):
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always")
+            result = quads(sphere(), 5)
+        self.assertIn(f"there are {result.GetNumberOfCells()} quads rather than 5, as", str(heard[0].message))
+
+    def test_sizes_that_are_not_reached_are_a_warning(self):
+        mesh = sphere()
+        z = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2]
+        array = numpy_to_vtk(np.where(z > 0, 1.0, 10.0), deep=True)
+        array.SetName("Size")
+        mesh.GetPointData().AddArray(array)
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always")
+            asked, reached = vtk_to_numpy(quads(mesh, 1000, sizes="Size").GetFieldData().GetArray("RatioOfSizes"))
+        self.assertAlmostEqual(asked, 10)
+        self.assertTrue(1 < reached < 9)
+        self.assertTrue(any("sizes vary by 10" in str(each.message) for each in heard))
 
     def test_what_is_wrong_is_an_error(self):
         with self.assertRaisesRegex(FieldError, "no array 'Wind'"):

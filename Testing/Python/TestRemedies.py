@@ -53,6 +53,19 @@ def point():
     return update(source)
 
 
+def corners_of_grid(x, n, place):
+    """Triangles of a grid in x by n, in the plane; place(x, y) with y in [-1/2, 1/2]."""
+    X, Y = np.meshgrid(x, np.linspace(-0.5, 0.5, n), indexing="ij")
+    points = np.stack([*place(X.ravel(), Y.ravel()), 0 * X.ravel()], 1)
+    i, j = [k.ravel() for k in np.meshgrid(np.arange(len(x) - 1), np.arange(n - 1), indexing="ij")]
+    a, b, c, d = i * n + j, (i + 1) * n + j, (i + 1) * n + j + 1, i * n + j + 1
+    return surface(points, np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
+
+
+def plane_of(m, n, length, width):
+    return corners_of_grid(np.linspace(0, length, m + 1), n + 1, lambda x, y: (x, width * y))
+
+
 class Remedies(unittest.TestCase):
     def assert_helps(self, call, said, before, after):
         """The message comes with the properties before, and not with those after."""
@@ -94,6 +107,20 @@ class Remedies(unittest.TestCase):
         mesh = with_vectors(grid(10, disc))
         self.assert_helps(lambda **more: quads(mesh, 100, "Flow", **more), "choose one of 4",
                           {"NumberOfDirections": 3}, {"NumberOfDirections": 4})
+
+    def test_of_quads_that_lose_a_thin_part(self):
+        """Without its boundary, a strip that is thinner than quads is lost for the most part; all of it is there with smaller quads or with the boundary."""
+        strip = plane_of(240, 4, 1.0, 0.005)
+        self.assert_helps(lambda **more: quads(strip, **more), "away from the surface.*ask for more.*or switch Align Boundary on",
+                          {"NumberOfQuads": 20, "AlignBoundary": False}, {"NumberOfQuads": 20, "AlignBoundary": True})
+        self.assertNotIn("away from", message(lambda: quads(strip, 1000, AlignBoundary=False)))
+
+    def test_of_quads_that_lose_a_narrow_end(self):
+        """Both sides of a narrow end have the same integer in a map along the boundary."""
+        x = np.linspace(0.001, 1, 81)
+        drop = corners_of_grid(x, 9, lambda x, y: (x, y * x**2 * (1.01 - x)**0.5))
+        self.assert_helps(lambda **more: quads(drop, 400, **more), "away from the surface.*or switch Align Boundary off",
+                          {"AlignBoundary": True}, {"AlignBoundary": False})
 
 
 if __name__ == "__main__":

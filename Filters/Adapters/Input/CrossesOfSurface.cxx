@@ -4,14 +4,12 @@
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/ChosenArrays.h"
-#include "FieldSolver.h"
-#include "Quads/Crosses/AlignedEdges.h"
+#include "SurfaceQuads.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
-#include <memory>
 #include <string>
 
 namespace dmg
@@ -19,9 +17,6 @@ namespace dmg
 
 namespace
 {
-
-/// The weight of features that edges of quads shall run along.
-constexpr double WeightOfAligned = 1000.0;
 
 /// Whether a field of a solver is there.
 bool HasField(vtkDataSet* surface)
@@ -37,18 +32,6 @@ bool IsFieldChosen(vtkAlgorithm* algorithm, vtkDataSet* surface)
   return HasField(surface) || (choice.IsMade() && (choice.Name != "None" || HasArray(choice, surface)));
 }
 
-/// The fourth power of each direction, unit; zero where there is none.
-Vector<Complex> FourthPowers(const Vector<Complex>& directions)
-{
-  Vector<Complex> powers(directions.size());
-  for (Eigen::Index face = 0; face < directions.size(); ++face)
-  {
-    const double length = std::abs(directions[face]);
-    powers[face] = length > 0.0 ? std::pow(directions[face] / length, 4) : Complex(0.0);
-  }
-  return powers;
-}
-
 Vector<Complex> FromArrays(vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
 {
   const SurfaceWithField given = ReadField(algorithm, view, N, context);
@@ -60,30 +43,18 @@ Vector<Complex> FromArrays(vtkAlgorithm* algorithm, SurfaceView& view, int N, co
   return FourthPowers(given.Field.First());
 }
 
-Vector<Complex> Smoothest(
-  vtkAlgorithm* algorithm, SurfaceView& view, const QuadOptions& options, const ExecutionContext& context)
+}
+
+std::optional<Vector<Complex>> CrossesOf(
+  vtkAlgorithm* algorithm, SurfaceView& view, int N, const ExecutionContext& context)
 {
-  view.Prepare(PreparationOf(view.Data()), PartOfContext(context, 0.0, 0.2));
-  WarnOfPreparation(algorithm, view.Repair());
-  FieldSolver solver(std::shared_ptr<const FramedMesh>(view.Prepared(), &view.Prepared()->Geometry));
-  FieldProblem problem;
-  problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
-  if (options.AlignSharpEdges)
+  if (IsFieldChosen(algorithm, view.Given()))
   {
-    problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
+    return FromArrays(algorithm, view, N, context);
   }
-  problem.UnitLengthWhileSmoothing = true;
-  const Field& field = solver.Solve(problem, PartOfContext(context, 0.2, 1.0), view.Relation().Names());
-  return FourthPowers(field.OnFaces);
-}
-
-}
-
-Vector<Complex> CrossesOf(
-  vtkAlgorithm* algorithm, SurfaceView& view, int N, const QuadOptions& options, const ExecutionContext& context)
-{
-  return IsFieldChosen(algorithm, view.Given()) ? FromArrays(algorithm, view, N, context)
-                                                : Smoothest(algorithm, view, options, context);
+  view.Prepare(PreparationOf(view.Data()), context);
+  WarnOfPreparation(algorithm, view.Repair());
+  return std::nullopt;
 }
 
 }

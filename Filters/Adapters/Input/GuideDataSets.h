@@ -17,8 +17,8 @@ namespace dmg
 struct GuideDataSet
 {
   vtkSmartPointer<vtkDataSet> Data; ///< with numbered cells
-  std::size_t Guide; ///< number of its connection
-  std::string Name;  ///< for messages, as in "block 2 of guide 0"
+  std::size_t Guide;                ///< number of its connection
+  std::string Name;                 ///< for messages, as in "block 2 of guide 0"
 };
 
 /// The name of guide \p guide of several in messages.

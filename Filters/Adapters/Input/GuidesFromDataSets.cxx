@@ -1,26 +1,20 @@
 #include "Adapters/Input/GuidesFromDataSets.h"
 
 #include "Adapters/Input/GuideDataSets.h"
-#include "Adapters/Surface/ArrayNames.h"
-#include "Adapters/Surface/ElementArrays.h"
 #include "Support/Errors.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <map>
@@ -269,47 +263,6 @@ Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
   unusable.FillValues += unusable.FillValues.empty() ? reader.Unusable.FillValues : "";
   reader.Result.MaximumDistance = input.MaximumDistance;
   return std::move(reader.Result);
-}
-
-void PathsToPolyData(const GuidePaths& paths, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(paths.Positions.size()));
-  for (std::size_t i = 0; i < paths.Positions.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), paths.Positions[i].data());
-  }
-  vtkNew<vtkCellArray> lines;
-  vtkIdType next = 0;
-  for (const int end : paths.Ends)
-  {
-    lines->InsertNextCell(static_cast<int>(end - next));
-    for (; next < end; ++next)
-    {
-      lines->InsertCellPoint(next);
-    }
-  }
-  output->SetPoints(points);
-  output->SetLines(lines);
-}
-
-void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData)
-{
-  const auto add = [fieldData](const char* name, auto* array, auto value)
-  {
-    array->SetName(name);
-    array->InsertNextValue(value);
-    AddHidden(fieldData, array);
-  };
-  const std::pair<const char*, long long> counts[] = { { ArrayNames::GuidesTaken, report.Taken },
-    { ArrayNames::GuidesTooFar, report.TooFar }, { ArrayNames::GuidesOnFarSide, report.OnFarSide },
-    { ArrayNames::GuidesPerpendicular, report.Perpendicular } };
-  for (const auto& [name, count] : counts)
-  {
-    add(name, vtkNew<vtkIntArray>().Get(), static_cast<int>(count));
-  }
-  add(ArrayNames::GuidesFarthest, vtkNew<vtkDoubleArray>().Get(), report.Farthest);
 }
 
 }

@@ -43,12 +43,6 @@ Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable);
 /// Sentences on a guide that is chosen twice, and on weights that are typed for no guide.
 std::vector<std::string> WarningsOf(const GuideInput& input);
 
-/// Paths as lines. \param output without points and cells.
-void PathsToPolyData(const GuidePaths& paths, vtkPolyData* output);
-
-/// Adds the report to \p fieldData.
-void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData);
-
 }
 
 #endif

@@ -1,15 +1,8 @@
 #include "Adapters/Output/ContoursToPolyData.h"
 
-#include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolyDataBuilder.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
-#include <algorithm>
+#include "vtkDoubleArray.h"
 
 namespace dmg
 {
@@ -21,25 +14,22 @@ void ContoursToPolyData(
   {
     return;
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(lines.Positions.rows());
-  std::copy_n(lines.Positions.data(), lines.Positions.size(), static_cast<double*>(points->GetVoidPointer(0)));
-  const auto ids = [](const std::vector<int>& numbers)
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Lines);
+  for (Eigen::Index point = 0; point < lines.Positions.rows(); ++point)
   {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
-    std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
-    return vtkSmartPointer<vtkIdTypeArray>(array);
-  };
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(ids(lines.Offsets), ids(lines.Order));
-  const auto ofPoints = NewArray(name, 1, lines.Positions.rows());
-  std::transform(
-    lines.Values.begin(), lines.Values.end(), ofPoints->GetPointer(0), [&values](int value) { return values[value]; });
-  output->SetPoints(points);
-  output->SetLines(cells);
-  output->GetPointData()->AddArray(ofPoints); // not active: in its colours no line would show on the surface
+    drawing.AddPoint(lines.Positions.row(point).transpose());
+  }
+  for (std::size_t line = 0; line + 1 < lines.Offsets.size(); ++line)
+  {
+    drawing.AddCell({ lines.Order.begin() + lines.Offsets[line], lines.Order.begin() + lines.Offsets[line + 1] });
+  }
+  std::vector<double> ofPoints;
+  for (const int value : lines.Values)
+  {
+    ofPoints.push_back(values[value]);
+  }
+  drawing.Finish(output);
+  AddToPoints<vtkDoubleArray>(output, name, ofPoints);
 }
 
 }

@@ -1,8 +1,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 
-#include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolyDataBuilder.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -11,9 +10,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -21,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,35 +27,10 @@ namespace dmg
 namespace
 {
 
-/// An array of values, one after the other.
-template <class Array, class Value>
-vtkSmartPointer<Array> NewArray(const char* name, int components, const Value* values, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  std::copy_n(values, components * tuples, array->GetPointer(0));
-  return array;
-}
-
-vtkSmartPointer<vtkDoubleArray> NewVectors(const char* name, const std::vector<Vector3>& vectors)
-{
-  return NewArray<vtkDoubleArray>(
-    name, 3, vectors.empty() ? nullptr : vectors.front().data(), static_cast<vtkIdType>(vectors.size()));
-}
-
 Vector3 CentreOf(const TriangleMesh& mesh, int face)
 {
   const auto corner = [&](int k) { return mesh.Position(mesh.FaceCorners()(face, k)); };
   return (corner(0) + corner(1) + corner(2)) / 3.0;
-}
-
-vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(NewVectors("Points", positions));
-  return points;
 }
 
 }
@@ -67,31 +38,22 @@ vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
 void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
   double lift, vtkPolyData* output)
 {
-  std::vector<Vector3> positions;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Lines);
   std::vector<Vector3> normals;
   std::vector<double> magnitudes(lines.Magnitudes);
   const auto addPoint = [&](const Vector3& position, int face)
   {
     normals.push_back(faceFrames.Normal(face));
-    positions.push_back(position + lift * normals.back());
-    return static_cast<vtkIdType>(positions.size() - 1);
+    return drawing.AddPoint(position + lift * normals.back());
   };
   for (std::size_t i = 0; i < lines.Positions.size(); ++i)
   {
     addPoint(lines.Positions[i], lines.Faces[i]);
   }
-  vtkNew<vtkCellArray> polylines;
-  std::vector<vtkIdType> ids;
   std::vector<int> lineOf; // of each cell
   for (int line = 0; line < lines.NumberOfLines(); ++line)
   {
-    ids.resize(lines.Offsets[line + 1] - lines.Offsets[line]);
-    std::iota(ids.begin(), ids.end(), lines.Offsets[line]);
-    if (lines.IsClosed[line])
-    {
-      ids.push_back(ids.front());
-    }
-    polylines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    drawing.AddLine(lines.Offsets[line], lines.Offsets[line + 1], lines.IsClosed[line]);
     lineOf.push_back(line);
   }
   // A head is a line from one end of its base over the tip to the other: in VTK 9.1, vtkCellDataToPointData writes beyond
@@ -99,14 +61,13 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
   for (const ArrowHead& head : heads)
   {
     const int face = lines.Faces[head.Point];
-    const vtkIdType corners[] = { addPoint(head.Corners[1], face), addPoint(head.Corners[0], face),
-      addPoint(head.Corners[2], face) };
+    const vtkIdType base = addPoint(head.Corners[1], face);
+    const vtkIdType tip = addPoint(head.Corners[0], face);
+    drawing.AddCell({ base, tip, addPoint(head.Corners[2], face) });
     magnitudes.insert(magnitudes.end(), 3, lines.Magnitudes[head.Point]);
-    polylines->InsertNextCell(3, corners);
     lineOf.push_back(head.Line);
   }
-  output->SetPoints(NewPoints(positions));
-  output->SetLines(polylines);
+  drawing.Finish(output);
 
   std::vector<double> lengths;
   std::vector<int> families;
@@ -115,40 +76,36 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
     lengths.push_back(lines.Lengths[line]);
     families.push_back(lines.Families[line]);
   }
-  const vtkIdType numberOfCells = static_cast<vtkIdType>(lineOf.size());
-  vtkCellData* const ofCells = output->GetCellData();
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Length", 1, lengths.data(), numberOfCells));
-  ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, families.data(), numberOfCells));
-  ofCells->AddArray(NewArray<vtkIntArray>("Seed", 1, lineOf.data(), numberOfCells));
-  vtkPointData* const ofPoints = output->GetPointData();
-  ofPoints->AddArray(
-    NewArray<vtkDoubleArray>("Magnitude", 1, magnitudes.data(), static_cast<vtkIdType>(magnitudes.size())));
-  ofPoints->SetNormals(NewVectors("Normals", normals));
+  AddToCells<vtkDoubleArray>(output, "Length", lengths);
+  AddToCells<vtkIntArray>(output, "Branch", families);
+  AddToCells<vtkIntArray>(output, "Seed", lineOf);
+  AddToPoints<vtkDoubleArray>(output, "Magnitude", magnitudes);
+  SetNormals(output, normals);
 }
 
 void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
 {
-  const int numberOfCells = glyphs.NumberOfCells();
-  vtkNew<vtkCellArray> cells;
-  for (int cell = 0; cell < numberOfCells; ++cell)
+  PolyDataBuilder drawing(areStrokes ? PolyDataBuilder::Cells::Lines : PolyDataBuilder::Cells::Polygons);
+  for (const Vector3& position : glyphs.Positions)
   {
-    const std::vector<vtkIdType> ids(
-      glyphs.Corners.begin() + glyphs.Offsets[cell], glyphs.Corners.begin() + glyphs.Offsets[cell + 1]);
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    drawing.AddPoint(position);
   }
-  output->SetPoints(NewPoints(glyphs.Positions));
-  areStrokes ? output->SetLines(cells) : output->SetPolys(cells);
+  for (int cell = 0; cell < glyphs.NumberOfCells(); ++cell)
+  {
+    drawing.AddCell(
+      { glyphs.Corners.begin() + glyphs.Offsets[cell], glyphs.Corners.begin() + glyphs.Offsets[cell + 1] });
+  }
+  drawing.Finish(output);
   std::vector<int> branches(glyphs.Directions);
   for (int& branch : branches)
   {
     branch %= families;
   }
-  vtkCellData* const ofCells = output->GetCellData();
-  ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, branches.data(), numberOfCells));
-  ofCells->AddArray(NewArray<vtkIntArray>("Direction", 1, glyphs.Directions.data(), numberOfCells));
-  ofCells->AddArray(NewArray<vtkIntArray>("Glyph", 1, glyphs.Glyphs.data(), numberOfCells));
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Magnitude", 1, glyphs.Magnitudes.data(), numberOfCells));
-  output->GetPointData()->SetNormals(NewVectors("Normals", glyphs.Normals));
+  AddToCells<vtkIntArray>(output, "Branch", branches);
+  AddToCells<vtkIntArray>(output, "Direction", glyphs.Directions);
+  AddToCells<vtkIntArray>(output, "Glyph", glyphs.Glyphs);
+  AddToCells<vtkDoubleArray>(output, "Magnitude", glyphs.Magnitudes);
+  SetNormals(output, glyphs.Normals);
 }
 
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
@@ -172,28 +129,21 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
     sum += loop.Index;
   }
 
-  std::vector<Vector3> positions;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Vertices);
   std::vector<double> indices;
   std::vector<vtkIdType> ids;
-  vtkNew<vtkCellArray> cells;
   for (const auto& [id, element] : singular)
   {
-    cells->InsertNextCell({ static_cast<vtkIdType>(positions.size()) });
-    positions.push_back(areOnFaces ? CentreOf(mesh, element) : mesh.Position(element));
+    drawing.AddCell({ drawing.AddPoint(areOnFaces ? CentreOf(mesh, element) : mesh.Position(element)) });
     indices.push_back(topology.Indices[element]);
     ids.push_back(id);
   }
-  const vtkIdType size = static_cast<vtkIdType>(positions.size());
-  const std::vector<int> N(positions.size(), given.Field.N());
-  output->SetPoints(NewPoints(positions));
-  output->SetVerts(cells);
-  vtkPointData* const ofPoints = output->GetPointData();
-  ofPoints->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices.data(), size));
-  ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
-  ofPoints->AddArray(NewArray<vtkIdTypeArray>(areOnFaces ? "CellId" : "PointId", 1, ids.data(), size));
-  const int euler = mesh.EulerCharacteristic();
-  AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
-  AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+  drawing.Finish(output);
+  output->GetPointData()->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices));
+  AddToPoints<vtkIntArray>(output, "NumberOfDirections", std::vector<int>(ids.size(), given.Field.N()));
+  AddToPoints<vtkIdTypeArray>(output, areOnFaces ? "CellId" : "PointId", ids);
+  AddHidden(output->GetFieldData(), NewValue<vtkDoubleArray>("SumOfIndices", sum));
+  AddHidden(output->GetFieldData(), NewValue<vtkIntArray>("EulerCharacteristic", mesh.EulerCharacteristic()));
 }
 
 namespace
@@ -210,7 +160,7 @@ void ColourBySign(vtkPointData* spheres)
     const auto& colour = indices->GetComponent(point, 0) < 0.0 ? Green : Red;
     colours.insert(colours.end(), colour.begin(), colour.end());
   }
-  spheres->AddArray(NewArray<vtkUnsignedCharArray>("SignColor", 3, colours.data(), indices->GetNumberOfTuples()));
+  spheres->AddArray(NewArray<vtkUnsignedCharArray>("SignColor", 3, colours));
   spheres->SetActiveScalars("");
 }
 
@@ -227,6 +177,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   const int resolution = std::clamp(static_cast<int>(std::sqrt(0.5 * perSphere)), 4, 24);
   vtkNew<vtkSphereSource> sphere; // of 2 * resolution * (resolution - 2) triangles
   sphere->SetRadius(radius);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // floats end at 3e38, coordinates at 1e40
   sphere->SetThetaResolution(resolution);
   sphere->SetPhiResolution(resolution);
   vtkNew<vtkGlyph3D> glyphs;
@@ -245,44 +196,65 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
 namespace
 {
 
+/// Lines that share their ends, with the numbers of a field's rotation across them.
+class DrawnCuts
+{
+public:
+  explicit DrawnCuts(vtkPolyData* output)
+    : Output(output)
+  {
+  }
+
+  /// The point of an element; \p position where it is a new one.
+  vtkIdType PointOf(int element, const Vector3& position)
+  {
+    const auto [found, isNew] = this->Points.emplace(element, this->Drawing.NumberOfPoints());
+    return isNew ? this->Drawing.AddPoint(position) : found->second;
+  }
+  vtkIdType AddPoint(const Vector3& position) { return this->Drawing.AddPoint(position); }
+
+  void AddLine(const std::vector<vtkIdType>& points, int jump, double rotation)
+  {
+    this->Drawing.AddCell(points);
+    this->Jumps.push_back(jump);
+    this->Rotations.push_back(rotation);
+  }
+
+  void Finish() const
+  {
+    this->Drawing.Finish(this->Output);
+    AddToCells<vtkIntArray>(this->Output, "Jump", this->Jumps);
+    AddToCells<vtkDoubleArray>(this->Output, "Rotation", this->Rotations);
+  }
+
+private:
+  vtkPolyData* const Output;
+  PolyDataBuilder Drawing{ PolyDataBuilder::Cells::Lines };
+  std::map<int, vtkIdType> Points;
+  std::vector<int> Jumps;
+  std::vector<double> Rotations;
+};
+
 /// Cuts of a field at points, between the vertices of edges: from the right of the first of them to its left, so that this
 /// vertex lies on the left of the line.
 void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const TriangleMesh& mesh = given.View.Mesh();
-  std::vector<Vector3> positions;
-  std::map<int, vtkIdType> centres; // of faces, in the output
-  const auto centreOf = [&](int face)
+  DrawnCuts cuts(output);
+  const auto centreOf = [&](int face) { return cuts.PointOf(face, CentreOf(mesh, face)); };
+  for (std::size_t i = 0; i < topology.Cuts.size(); ++i)
   {
-    const auto [found, isNew] = centres.emplace(face, positions.size());
-    if (isNew)
-    {
-      positions.push_back(CentreOf(mesh, face));
-    }
-    return found->second;
-  };
-  std::vector<double> rotations;
-  vtkNew<vtkCellArray> cells;
-  for (const int edge : topology.Cuts)
-  {
-    const int h = mesh.HalfedgeOf(edge);
+    const int h = mesh.HalfedgeOf(topology.Cuts[i]);
     std::vector<vtkIdType> line;
     if (mesh.Twin(h) >= 0)
     {
       line.push_back(centreOf(TriangleMesh::FaceOf(mesh.Twin(h))));
     }
-    line.push_back(static_cast<vtkIdType>(positions.size()));
-    positions.push_back(0.5 * (mesh.Position(mesh.Tail(h)) + mesh.Position(mesh.Head(h))));
+    line.push_back(cuts.AddPoint(0.5 * (mesh.Position(mesh.Tail(h)) + mesh.Position(mesh.Head(h)))));
     line.push_back(centreOf(TriangleMesh::FaceOf(h)));
-    cells->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
-    rotations.push_back(topology.Rotation[edge]);
+    cuts.AddLine(line, topology.Jumps[i], topology.Rotation[topology.Cuts[i]]);
   }
-  const vtkIdType size = static_cast<vtkIdType>(topology.Cuts.size());
-  output->SetPoints(NewPoints(positions));
-  output->SetLines(cells);
-  vtkCellData* const ofCells = output->GetCellData();
-  ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, topology.Jumps.data(), size));
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Rotation", 1, rotations.data(), size));
+  cuts.Finish();
 }
 
 }
@@ -323,57 +295,31 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
       };
       return ends(a) < ends(b);
     });
-  std::map<int, vtkIdType> numbers; // of the ends, in the output
-  std::vector<Vector3> positions;
-  std::vector<int> jumps;
-  std::vector<double> rotations;
-  vtkNew<vtkCellArray> cells;
+  DrawnCuts drawn(output);
   for (const Cut& cut : cuts)
   {
-    vtkIdType ends[2];
-    int at = 0;
-    for (const int vertex : { cut.From, cut.To })
-    {
-      const auto [found, isNew] = numbers.emplace(vertex, positions.size());
-      if (isNew)
-      {
-        positions.push_back(mesh.Position(vertex));
-      }
-      ends[at++] = found->second;
-    }
-    cells->InsertNextCell(2, ends);
-    jumps.push_back(cut.Jump);
-    rotations.push_back(cut.Rotation);
+    const vtkIdType from = drawn.PointOf(cut.From, mesh.Position(cut.From));
+    drawn.AddLine({ from, drawn.PointOf(cut.To, mesh.Position(cut.To)) }, cut.Jump, cut.Rotation);
   }
-  const vtkIdType size = static_cast<vtkIdType>(cuts.size());
-  output->SetPoints(NewPoints(positions));
-  output->SetLines(cells);
-  vtkCellData* const ofCells = output->GetCellData();
-  ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, jumps.data(), size));
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Rotation", 1, rotations.data(), size));
+  drawn.Finish();
 }
 
 void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
-  std::vector<Vector3> positions;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Lines);
   std::vector<double> indices;
-  vtkNew<vtkCellArray> cells;
   for (const BoundaryIndex& loop : topology.Loops)
   {
-    std::vector<vtkIdType> ids(loop.Vertices.size());
-    std::iota(ids.begin(), ids.end(), static_cast<vtkIdType>(positions.size()));
-    ids.push_back(ids.front());
+    const vtkIdType first = drawing.NumberOfPoints();
     for (const int vertex : loop.Vertices)
     {
-      positions.push_back(given.View.Mesh().Position(vertex));
+      drawing.AddPoint(given.View.Mesh().Position(vertex));
     }
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    drawing.AddLine(first, drawing.NumberOfPoints(), true);
     indices.push_back(loop.Index);
   }
-  output->SetPoints(NewPoints(positions));
-  output->SetLines(cells);
-  output->GetCellData()->SetScalars(
-    NewArray<vtkDoubleArray>("Index", 1, indices.data(), static_cast<vtkIdType>(indices.size())));
+  drawing.Finish(output);
+  output->GetCellData()->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices));
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "Adapters/Output/BasisToArrays.h"
 #include "Adapters/Output/FieldToArrays.h"
+#include "Adapters/Output/GuidesToArrays.h"
 #include "Adapters/Output/ReportToArrays.h"
 
 #include "vtkDataSet.h"

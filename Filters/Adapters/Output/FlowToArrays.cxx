@@ -2,18 +2,15 @@
 
 #include "Adapters/Output/ContoursToPolyData.h"
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolyDataBuilder.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Directions/PowerFieldDirections.h"
 #include "Drawing/ContourLines.h"
 #include "Support/Errors.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -63,9 +60,7 @@ public:
 
   void AddNumbers(const char* name, const Vector<double>& numbers) const
   {
-    const auto array = NewArray(name, 1, numbers.size());
-    std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
-    this->View.Output()->GetFieldData()->AddArray(array);
+    this->View.Output()->GetFieldData()->AddArray(NewArray<vtkDoubleArray>(name, 1, numbers));
   }
 
 private:
@@ -129,32 +124,25 @@ void MakeBoundaries(const TriangleMesh& mesh, const std::vector<BoundaryPart>& l
   const FlowOptions& options, vtkPolyData* output)
 {
   CheckIsBoundary(options.ReferenceBoundary, loops.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Lines);
   for (const BoundaryPart& loop : loops)
   {
-    const vtkIdType first = points->GetNumberOfPoints();
-    lines->InsertNextCell(static_cast<int>(loop.Vertices.size()) + (loop.IsLoop ? 1 : 0));
+    const vtkIdType first = drawing.NumberOfPoints();
     for (const int vertex : loop.Vertices)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(Vector3(mesh.Position(vertex)).data()));
+      drawing.AddPoint(mesh.Position(vertex));
     }
-    if (loop.IsLoop)
-    {
-      lines->InsertCellPoint(first);
-    }
+    drawing.AddLine(first, drawing.NumberOfPoints(), loop.IsLoop);
   }
-  output->SetPoints(points);
-  output->SetLines(lines);
+  drawing.Finish(output);
   const auto add = [&](const char* name, double scale, const auto& number)
   {
-    const auto array = NewArray(name, 1, static_cast<vtkIdType>(loops.size()));
-    for (std::size_t k = 0; k < loops.size(); ++k)
+    Vector<double> numbers(static_cast<Eigen::Index>(loops.size()));
+    for (Eigen::Index k = 0; k < numbers.size(); ++k)
     {
-      array->SetValue(static_cast<vtkIdType>(k), scale * number(static_cast<Eigen::Index>(k)));
+      numbers[k] = scale * number(k);
     }
-    output->GetCellData()->AddArray(array);
+    AddToCells<vtkDoubleArray>(output, name, numbers);
   };
   const double scale = options.LengthScale;
   const Vector<double>& values = parts.StreamValues;
@@ -194,17 +182,9 @@ void AddReport(const DecomposedFlow& parts, const SolveReport* report, vtkFieldD
   {
     return;
   }
-  vtkNew<vtkStringArray> solver;
-  solver->SetName(ArrayNames::Solver);
-  solver->InsertNextValue(report->Solver);
-  data->AddArray(solver);
-  vtkNew<vtkIntArray> converged;
-  converged->SetName(ArrayNames::Converged);
-  converged->InsertNextValue(parts.Converged ? 1 : 0);
-  data->AddArray(converged);
-  const auto bytes = NewArray(ArrayNames::SolverBytes, 1, 1);
-  bytes->SetValue(0, static_cast<double>(report->Bytes));
-  data->AddArray(bytes);
+  data->AddArray(NewValue<vtkStringArray>(ArrayNames::Solver, report->Solver));
+  data->AddArray(NewValue<vtkIntArray>(ArrayNames::Converged, parts.Converged ? 1 : 0));
+  data->AddArray(NewValue<vtkDoubleArray>(ArrayNames::SolverBytes, static_cast<double>(report->Bytes)));
 }
 
 void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double scale)

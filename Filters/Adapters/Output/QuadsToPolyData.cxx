@@ -4,9 +4,8 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
-#include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolyDataBuilder.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -16,9 +15,9 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <tuple>
@@ -29,23 +28,6 @@ namespace dmg
 
 namespace
 {
-
-vtkSmartPointer<vtkPoints> NewPoints(vtkIdType number)
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(number);
-  return points;
-}
-
-/// An array of integers.
-vtkSmartPointer<vtkIntArray> NewIntegers(const char* name, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
 
 /// The arrays of the surface, but for those that are too short.
 template <class Attributes>
@@ -69,6 +51,17 @@ void LeaveOut(Attributes* attributes)
   attributes->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
 }
 
+/// Interpolates the arrays of points at a place of the surface.
+void InterpolateAt(const SurfaceView& view, SurfacePlace place, vtkPointData* from, vtkIdType point, vtkPointData* to)
+{
+  vtkNew<vtkIdList> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners->InsertNextId(view.Relation().PointOf(view.Mesh().Tail(3 * place.Face + k)));
+  }
+  to->InterpolatePoint(from, point, corners, place.Weights.data());
+}
+
 void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
   const vtkIdType size = quads.Positions.rows();
@@ -77,32 +70,20 @@ void InterpolatePoints(const QuadMesh& quads, const SurfaceView& view, vtkPolyDa
   LeaveOut(to);
   to->InterpolateAllocate(from, size);
   AllowAnyNumber(to);
-  const auto normals = NewArray("Normals", 3, size);
-  vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    SurfacePlace place = quads.Places[vertex];
-    Vector3 normal = Vector3::Zero();
-    for (int k = 0; k < 3; ++k)
-    {
-      const int corner = view.Mesh().Tail(3 * place.Face + k);
-      corners->SetId(k, view.Relation().PointOf(corner));
-      normal += place.Weights[k] * view.Surface().Geometry.Vertices.Normal(corner);
-    }
-    to->InterpolatePoint(from, vertex, corners, place.Weights.data());
-    normals->SetTuple(vertex,
-      (normal.norm() > 0.0 ? normal.normalized() : view.Surface().Geometry.Faces.Normal(place.Face)).eval().data());
+    InterpolateAt(view, quads.Places[vertex], from, vertex, to);
   }
-  to->SetNormals(normals);
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
 {
   const auto add = [fieldData](const char* name, int value)
+  { AddHidden(fieldData, NewValue<vtkIntArray>(name, value)); };
+  const auto addNumbers = [fieldData](const char* name, const std::vector<double>& values)
   {
-    const auto array = NewIntegers(name, 1);
-    array->SetValue(0, value);
+    const auto array = NewArray(name, 1, static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
     AddHidden(fieldData, array);
   };
   add("Singularities", report.Singularities);
@@ -114,6 +95,13 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));
   add("SplitTriangles", report.SplitFaces);
+  const QuadDistances& distances = report.Distances;
+  addNumbers("DistanceFromQuads", { distances.LargestFromQuads, distances.MeanFromQuads });
+  addNumbers("DistanceFromSurface", { distances.LargestFromSurface, distances.MeanFromSurface });
+  const Vector3& place = distances.FarthestPlace;
+  addNumbers("FarthestPlace", { place[0], place[1], place[2] });
+  addNumbers("AreaShares", report.AreaShares);
+  addNumbers("RatioOfSizes", { report.AskedRatio, report.ReachedRatio });
 }
 
 /// Valence less 4; 0 on the boundary.
@@ -126,16 +114,14 @@ int IrregularityOf(const QuadMesh& quads, int vertex)
 
 void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
-  const auto points = NewPoints(quads.Positions.rows());
-  const auto irregular = NewIntegers("Irregular", quads.Positions.rows());
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Polygons);
+  std::vector<int> irregular;
   for (int vertex = 0; vertex < quads.Positions.rows(); ++vertex)
   {
-    points->SetPoint(vertex, quads.Positions(vertex, 0), quads.Positions(vertex, 1), quads.Positions(vertex, 2));
-    irregular->SetValue(vertex, IrregularityOf(quads, vertex));
+    drawing.AddPoint(quads.Positions.row(vertex).transpose());
+    irregular.push_back(IrregularityOf(quads, vertex));
   }
   const vtkIdType size = static_cast<vtkIdType>(quads.Quads.size());
-  const auto jacobians = NewArray("ScaledJacobian", 1, size);
-  vtkNew<vtkCellArray> cells;
   vtkCellData* const ofCells = output->GetCellData();
   const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
   LeaveOut(ofCells);
@@ -144,24 +130,22 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
   for (vtkIdType quad = 0; quad < size; ++quad)
   {
     const auto& corners = quads.Quads[quad];
-    cells->InsertNextCell({ corners[0], corners[1], corners[2], corners[3] });
+    drawing.AddCell({ corners.begin(), corners.end() });
     ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Faces[quad]), quad);
-    jacobians->SetValue(quad, quads.ScaledJacobians[quad]);
   }
-  output->SetPoints(points);
-  output->SetPolys(cells);
+  drawing.Finish(output);
   InterpolatePoints(quads, view, output);
-  output->GetPointData()->AddArray(irregular);
-  ofCells->AddArray(jacobians);
+  AddToPoints<vtkIntArray>(output, "Irregular", irregular);
+  AddToCells<vtkDoubleArray>(output, "ScaledJacobian", quads.ScaledJacobians);
   AddReport(quads.Report, output->GetFieldData());
 }
 
 void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
 {
-  const TriangleMesh& mesh = view.Mesh();
+  const TriangleMesh& mesh = quads.Finer ? quads.Finer->Geometry.Mesh : view.Mesh();
   std::map<std::tuple<int, FixedPoint, FixedPoint>, vtkIdType> numbers; // of corners with the same coordinates
   std::vector<int> halfedges;                                           // one for each of these
-  vtkNew<vtkCellArray> cells;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::Polygons);
   vtkCellData* const ofCells = output->GetCellData();
   const auto givenToCells = ArraysOf(view.Given()->GetCellData(), view.Given()->GetNumberOfCells());
   LeaveOut(ofCells);
@@ -169,7 +153,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   AllowAnyNumber(ofCells);
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
-    std::array<vtkIdType, 3> corners{};
+    std::vector<vtkIdType> corners(3);
     for (int k = 0; k < 3; ++k)
     {
       const int h = 3 * face + k;
@@ -178,59 +162,52 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
       if (isNew)
       {
         halfedges.push_back(h);
+        drawing.AddPoint(mesh.Position(mesh.Tail(h)));
       }
       corners[k] = number->second;
     }
-    cells->InsertNextCell({ corners[0], corners[1], corners[2] });
-    ofCells->CopyData(givenToCells, view.Relation().CellOf(face), face);
+    drawing.AddCell(corners);
+    ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Finer ? quads.Finer->Parents[face] : face), face);
   }
   const vtkIdType size = static_cast<vtkIdType>(halfedges.size());
-  const auto points = NewPoints(size);
   const auto coordinates = NewArray(ArrayNames::TextureCoordinates, 2, size);
   vtkPointData* const ofPoints = output->GetPointData();
   const auto givenToPoints = ArraysOf(view.Given()->GetPointData(), view.Given()->GetNumberOfPoints());
   LeaveOut(ofPoints);
-  ofPoints->CopyAllocate(givenToPoints, size);
+  ofPoints->InterpolateAllocate(givenToPoints, size);
   AllowAnyNumber(ofPoints);
   for (vtkIdType point = 0; point < size; ++point)
   {
     const int h = halfedges[point];
-    points->SetPoint(point, mesh.Position(mesh.Tail(h)).eval().data());
-    ofPoints->CopyData(givenToPoints, view.Relation().PointOf(mesh.Tail(h)), point);
+    const SurfacePlace place = quads.Finer ? quads.Finer->InParent(AtTail(h)) : AtTail(h);
+    InterpolateAt(view, place, givenToPoints, point, ofPoints);
     for (int c = 0; c < 2; ++c)
     {
       coordinates->SetComponent(point, c, static_cast<double>(quads.Map[h][c]) / static_cast<double>(FixedOne));
     }
   }
-  output->SetPoints(points);
-  output->SetPolys(cells);
+  drawing.Finish(output);
   ofPoints->SetTCoords(coordinates);
 }
 
 void IrregularToPolyData(const QuadMesh& quads, double radius, vtkPolyData* output)
 {
-  std::vector<int> vertices;
+  PolyDataBuilder drawing(PolyDataBuilder::Cells::None);
+  std::vector<int> irregular;
+  std::vector<double> indices;
   for (int vertex = 0; vertex < quads.Positions.rows(); ++vertex)
   {
-    if (IrregularityOf(quads, vertex) != 0)
+    if (const int irregularity = IrregularityOf(quads, vertex); irregularity != 0)
     {
-      vertices.push_back(vertex);
+      drawing.AddPoint(quads.Positions.row(vertex).transpose());
+      irregular.push_back(irregularity);
+      indices.push_back(-0.25 * irregularity);
     }
   }
-  const vtkIdType size = static_cast<vtkIdType>(vertices.size());
-  const auto points = NewPoints(size);
-  const auto irregular = NewIntegers("Irregular", size);
-  const auto indices = NewArray("Index", 1, size);
-  for (vtkIdType k = 0; k < size; ++k)
-  {
-    points->SetPoint(k, Vector3(quads.Positions.row(vertices[k]).transpose()).data());
-    irregular->SetValue(k, IrregularityOf(quads, vertices[k]));
-    indices->SetValue(k, -0.25 * irregular->GetValue(k));
-  }
   vtkNew<vtkPolyData> places;
-  places->SetPoints(points);
-  places->GetPointData()->AddArray(irregular);
-  places->GetPointData()->AddArray(indices);
+  drawing.Finish(places);
+  AddToPoints<vtkIntArray>(places, "Irregular", irregular);
+  AddToPoints<vtkDoubleArray>(places, "Index", indices);
   SpheresToPolyData(places, radius * quads.Report.LengthOfEdges, output);
 }
 

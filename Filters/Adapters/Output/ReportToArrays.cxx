@@ -1,75 +1,52 @@
 #include "Adapters/Output/ReportToArrays.h"
 
-#include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/NewArrays.h"
 
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dmg
 {
-namespace
-{
-
-template <class ArrayType, class Value>
-void AddValue(vtkFieldData* fieldData, const char* name, const Value& value)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  AddHidden(fieldData, array);
-}
-
-}
 
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
 {
-  const vtkIdType size = static_cast<vtkIdType>(report.Iterations.size());
-  vtkNew<vtkIntArray> iterations;
-  iterations->SetName(ArrayNames::Iteration);
-  iterations->SetNumberOfValues(size);
-  table->Initialize();
-  table->AddColumn(iterations);
+  std::vector<int> iterations, areReturned;
+  for (const IterationReport& iteration : report.Iterations)
+  {
+    iterations.push_back(iteration.Iteration);
+    areReturned.push_back(iteration.Iteration == report.Returned ? 1 : 0);
+  }
   const auto addColumn = [&](const char* name, double IterationReport::*value)
   {
-    const auto column = NewArray(name, 1, size);
-    for (vtkIdType i = 0; i < size; ++i)
+    std::vector<double> column;
+    for (const IterationReport& iteration : report.Iterations)
     {
-      column->SetValue(i, report.Iterations[i].*value);
+      column.push_back(iteration.*value);
     }
-    table->AddColumn(column);
+    table->AddColumn(NewArray<vtkDoubleArray>(name, 1, column));
   };
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    iterations->SetValue(i, report.Iterations[i].Iteration);
-  }
+  const bool isEmpty = report.Iterations.empty();
+  const auto isMeasured = [&](double IterationReport::*value)
+  { return !isEmpty && !std::isnan(report.Iterations.back().*value); };
+  table->Initialize();
+  table->AddColumn(NewArray<vtkIntArray>(ArrayNames::Iteration, 1, iterations));
   addColumn(ArrayNames::Seconds, &IterationReport::Seconds);
   addColumn(ArrayNames::RelativeResidual, &IterationReport::RelativeResidual);
-  const auto addIfMeasured = [&](const char* name, double IterationReport::*value)
-  {
-    if (size > 0 && !std::isnan(report.Iterations.back().*value))
-    {
-      addColumn(name, value);
-    }
-  };
-  if (size == 0 || !std::isnan(report.Iterations.back().Energy)) // in pieces, nobody measures it
+  if (isEmpty || isMeasured(&IterationReport::Energy)) // in pieces, nobody measures it
   {
     addColumn(ArrayNames::Energy, &IterationReport::Energy);
   }
-  addIfMeasured(ArrayNames::MassResidual, &IterationReport::MassResidual);
-  vtkNew<vtkIntArray> returned;
-  returned->SetName(ArrayNames::Returned);
-  returned->SetNumberOfValues(size);
-  for (vtkIdType i = 0; i < size; ++i)
+  if (isMeasured(&IterationReport::MassResidual))
   {
-    returned->SetValue(i, report.Iterations[i].Iteration == report.Returned ? 1 : 0);
+    addColumn(ArrayNames::MassResidual, &IterationReport::MassResidual);
   }
-  table->AddColumn(returned);
+  table->AddColumn(NewArray<vtkIntArray>(ArrayNames::Returned, 1, areReturned));
 }
 
 void RemoveReport(vtkFieldData* fieldData)
@@ -84,39 +61,41 @@ void RemoveReport(vtkFieldData* fieldData)
 
 void AddFollowed(const std::string& text, vtkFieldData* fieldData)
 {
-  AddValue<vtkStringArray>(fieldData, ArrayNames::Followed, text);
+  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::Followed, text));
 }
 
 void AddReport(const Field& field, double setupSeconds, vtkFieldData* fieldData)
 {
   const SolveReport& report = field.Report;
-  const vtkIdType levels = static_cast<vtkIdType>(report.Levels.size());
-  const auto unknowns = NewArray(ArrayNames::LevelUnknowns, 1, levels);
-  const auto nonZeros = NewArray(ArrayNames::LevelNonZeros, 1, levels);
-  for (vtkIdType level = 0; level < levels; ++level)
+  const auto addNumber = [fieldData](const char* name, double value)
+  { AddHidden(fieldData, NewValue<vtkDoubleArray>(name, value)); };
+  const auto addCount = [fieldData](const char* name, int value)
+  { AddHidden(fieldData, NewValue<vtkIntArray>(name, value)); };
+  const auto addNumbers = [fieldData](const char* name, const std::vector<double>& values)
+  { AddHidden(fieldData, NewArray<vtkDoubleArray>(name, 1, values)); };
+  std::vector<double> unknowns, nonZeros;
+  for (const LevelReport& level : report.Levels)
   {
-    unknowns->SetValue(level, static_cast<double>(report.Levels[level].Unknowns));
-    nonZeros->SetValue(level, static_cast<double>(report.Levels[level].NonZeros));
+    unknowns.push_back(static_cast<double>(level.Unknowns));
+    nonZeros.push_back(static_cast<double>(level.NonZeros));
   }
-  AddValue<vtkIntArray>(fieldData, ArrayNames::NumberOfDirections, field.N);
-  AddValue<vtkStringArray>(fieldData, ArrayNames::Solver, report.Solver);
-  AddValue<vtkIntArray>(fieldData, ArrayNames::Converged, report.Converged ? 1 : 0);
-  AddHidden(fieldData, unknowns);
-  AddHidden(fieldData, nonZeros);
-  AddValue<vtkDoubleArray>(fieldData, ArrayNames::OperatorComplexity, report.OperatorComplexity());
-  AddValue<vtkDoubleArray>(fieldData, ArrayNames::SetupSeconds, setupSeconds);
-  AddValue<vtkDoubleArray>(fieldData, ArrayNames::PrepareSeconds, report.PrepareSeconds);
-  AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolveSeconds, report.SolveSeconds);
-  AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
+  addCount(ArrayNames::NumberOfDirections, field.N);
+  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::Solver, report.Solver));
+  addCount(ArrayNames::Converged, report.Converged ? 1 : 0);
+  addNumbers(ArrayNames::LevelUnknowns, unknowns);
+  addNumbers(ArrayNames::LevelNonZeros, nonZeros);
+  addNumber(ArrayNames::OperatorComplexity, report.OperatorComplexity());
+  addNumber(ArrayNames::SetupSeconds, setupSeconds);
+  addNumber(ArrayNames::PrepareSeconds, report.PrepareSeconds);
+  addNumber(ArrayNames::SolveSeconds, report.SolveSeconds);
+  addNumber(ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
   if (field.HarmonicBasis)
   {
-    AddValue<vtkIntArray>(fieldData, ArrayNames::HarmonicBasisSize, static_cast<int>(field.HarmonicBasis->cols()));
+    addCount(ArrayNames::HarmonicBasisSize, static_cast<int>(field.HarmonicBasis->cols()));
   }
   if (!report.Eigenvalues.empty())
   {
-    const auto eigenvalues = NewArray(ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));
-    std::copy(report.Eigenvalues.begin(), report.Eigenvalues.end(), eigenvalues->GetPointer(0));
-    AddHidden(fieldData, eigenvalues);
+    addNumbers(ArrayNames::Eigenvalues, report.Eigenvalues);
   }
 }
 

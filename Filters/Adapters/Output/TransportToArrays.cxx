@@ -112,9 +112,7 @@ namespace
 
 void AddNumber(const char* name, int number, vtkDataSet* output)
 {
-  const auto array = NewArray(name, 1, 1);
-  array->SetValue(0, static_cast<double>(number));
-  output->GetFieldData()->AddArray(array);
+  output->GetFieldData()->AddArray(NewValue<vtkDoubleArray>(name, static_cast<double>(number)));
 }
 
 }

@@ -16,7 +16,6 @@
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -136,9 +135,7 @@ void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformat
   WarnOfTouchingLeaves(algorithm, surface);
   if (IsVolume(given))
   {
-    static vtkInformationIntegerKey* const isTold =
-      vtkInformationIntegerKey::MakeKey("SKIN_IS_TOLD", "DirectionalMultigrid");
-    TellOnce(algorithm, outputs, isTold, "Skin", "the dataset has cells of three dimensions; its skin is the surface");
+    TellOnce(algorithm, outputs, "Skin", "the dataset has cells of three dimensions; its skin is the surface");
   }
 }
 
@@ -232,9 +229,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   }
   if (ranks.Rank() == 0 && !gathered.Note().empty())
   {
-    static vtkInformationIntegerKey* const isTold =
-      vtkInformationIntegerKey::MakeKey("GATHERING_IS_TOLD", "DirectionalMultigrid");
-    TellOnce(algorithm, outputs, isTold, "Gathered", gathered.Note() + ", since " + reason);
+    TellOnce(algorithm, outputs, "Gathered", gathered.Note() + ", since " + reason);
   }
 }
 
@@ -261,10 +256,7 @@ bool HasGoneThrough(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkI
   {
     vtkDataObject::GetData(outputs, 0)->ShallowCopy(block);
   }
-  static vtkInformationIntegerKey* const isTold =
-    vtkInformationIntegerKey::MakeKey("BLOCK_IS_TOLD", "DirectionalMultigrid");
-  TellOnce(
-    algorithm, outputs, isTold, "Block", "a block has no cells of two or three dimensions and goes through as it is");
+  TellOnce(algorithm, outputs, "Block", "a block has no cells of two or three dimensions and goes through as it is");
   return true;
 }
 

@@ -35,6 +35,13 @@ vtkInformation* AskedOf(vtkInformation* request, vtkInformationVector* outputs)
   return outputs->GetInformationObject(port);
 }
 
+/// Whether the executive asks with an empty grid what becomes of grids of adaptive mesh refinement (AMR). Such a dataset holds only grids,
+/// and the skins of volumes are none; the outputs come as blocks.
+bool IsForGridsOfAmr(vtkDataSet* input)
+{
+  return input->GetDataObjectType() == VTK_UNIFORM_GRID && input->GetNumberOfPoints() == 0;
+}
+
 /// Whether the piece of this rank is asked for, of as many pieces as ranks.
 bool IsPieceOfRank(const RanksOfPipeline& ranks, vtkInformation* asked)
 {
@@ -56,7 +63,7 @@ int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* out
     vtkDataSet::GetData(inputs[0]); // none: the executive says so, but after this; or a block that is a table
   vtkInformation* const output = outputs->GetInformationObject(0);
   vtkDataObject* const former = output->Get(vtkDataObject::DATA_OBJECT());
-  if (!input || IsStructuredVolume(inputs[0]->GetInformationObject(0)))
+  if (!input || IsForGridsOfAmr(input) || IsStructuredVolume(inputs[0]->GetInformationObject(0)))
   {
     if (!vtkPolyData::SafeDownCast(former))
     {

@@ -3,6 +3,7 @@
 #include "vtkAlgorithm.h"
 
 #include <array>
+#include <utility>
 
 namespace dmg
 {
@@ -15,6 +16,21 @@ const std::string Normals = "Generate Surface Normals (vtkPolyDataNormals) with 
                             "Feature Angle 180 and Non-Manifold Traversal off";
 
 const std::string Operators = "apply Directional Prolongation (vtkDirectionalProlongation) with ";
+
+/// Names of files and arrays stand in quotes. What they have beyond a hundred characters hides the sentence around them.
+std::string WithShortNames(std::string message)
+{
+  constexpr std::size_t Longest = 100;
+  for (std::size_t begin = message.find(" '"); begin != std::string::npos; begin = message.find(" '", begin + 2))
+  {
+    const std::size_t end = message.find('\'', begin + 2);
+    if (end != std::string::npos && end - begin - 2 > Longest)
+    {
+      message.replace(begin + 2 + Longest, end - begin - 2 - Longest, "...");
+    }
+  }
+  return message;
+}
 
 }
 
@@ -79,7 +95,7 @@ std::string InPanelWords(std::string message)
       message.replace(at, from.size(), to);
     }
   }
-  return message;
+  return WithShortNames(std::move(message));
 }
 
 void Warn(vtkAlgorithm* algorithm, const std::vector<std::string>& texts)

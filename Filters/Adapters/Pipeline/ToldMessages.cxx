@@ -4,12 +4,14 @@
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
-#include "vtkOutputWindow.h"
 #include "vtkStringArray.h"
+
+#include <mutex>
+#include <set>
 
 namespace dmg
 {
@@ -36,17 +38,20 @@ bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, con
   return false;
 }
 
-void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, vtkInformationIntegerKey* isTold,
-  const char* name, const std::string& note)
+void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note)
 {
   vtkNew<vtkStringArray> text;
-  text->SetName(name);
+  text->SetName(name.c_str());
   text->InsertNextValue(note);
   vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
-  if (!algorithm->GetInformation()->Has(isTold))
+
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::string line = std::string(algorithm->GetClassName()) + ": " + note;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (told.insert(line).second)
   {
-    algorithm->GetInformation()->Set(isTold, 1);
-    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
+    vtkLog(INFO, << line);
   }
 }
 

@@ -4,10 +4,9 @@
 #include <string>
 
 class vtkAlgorithm;
-class vtkInformationIntegerKey;
 class vtkInformationVector;
 
-/// Messages that the user has read already are not told again. The filter keeps them in its information.
+/// Messages that the user has read already are not told again.
 namespace dmg
 {
 
@@ -15,9 +14,8 @@ namespace dmg
 /// consumer where the outputs are images, since empty ones have no extent.
 bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, const std::string& message);
 
-/// Adds a text to field data of the first output, and to VTK's output the first time that this filter does so.
-void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, vtkInformationIntegerKey* isTold,
-  const char* name, const std::string& note);
+/// Adds a text to field data of the first output, and to VTK's log the first time that a filter of this class has it in this process.
+void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note);
 
 }
 

@@ -3,15 +3,14 @@
 
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/Surface/NewArrays.h"
 #include "Directions/PowerFieldDirections.h"
 #include "Mesh/TangentFrames.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <functional>
@@ -21,12 +20,6 @@
 
 namespace dmg
 {
-
-/// Its values are to be written.
-vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples);
-
-/// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
-void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
 /// An array that was added to a dataset.
 struct AddedArray

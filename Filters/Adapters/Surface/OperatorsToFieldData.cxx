@@ -221,10 +221,7 @@ void OperatorsToFieldData(
   const ProlongationOperators& operators, const OperatorsOrigin& origin, vtkFieldData* fieldData)
 {
   AddValues<vtkIntArray>(fieldData, ArrayNames::ProlongationFormat, &CurrentFormat, 1);
-  vtkNew<vtkStringArray> digest;
-  digest->InsertNextValue(origin.Digest);
-  digest->SetName(ArrayNames::ProlongationDigest);
-  AddHidden(fieldData, digest);
+  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::ProlongationDigest, origin.Digest));
   AddValues<vtkDoubleArray>(fieldData, ArrayNames::ProlongationOptions, NumbersOf(origin).data(), NumberOfOptions);
   const auto addSizes = [fieldData](const char* name, const std::vector<int>& sizes)
   { AddValues<vtkIntArray>(fieldData, name, sizes.data(), sizes.size()); };

@@ -1,14 +1,16 @@
 #include "Adapters/Surface/PreparationToFieldData.h"
 
 #include "Adapters/Surface/ArrayNames.h"
-#include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/NewArrays.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkStringArray.h"
+
+#include <string>
+#include <vector>
 
 namespace dmg
 {
@@ -19,27 +21,18 @@ void AddPreparation(const PreparationReport& report, const PreparationOptions& o
   fieldData->RemoveArray(ArrayNames::SurfaceOptions);
   if (const std::string text = report.Text(); !text.empty())
   {
-    vtkNew<vtkStringArray> array;
-    array->SetName(ArrayNames::SurfacePreparation);
-    array->InsertNextValue(text);
-    AddHidden(fieldData, array);
+    AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::SurfacePreparation, text));
   }
   if (options.Strict || !options.JoinPoints)
   {
-    vtkNew<vtkIntArray> array;
-    array->SetName(ArrayNames::SurfaceOptions);
-    array->InsertNextValue(options.JoinPoints ? 1 : 0);
-    array->InsertNextValue(options.Strict ? 1 : 0);
-    AddHidden(fieldData, array);
+    const std::vector<int> values{ options.JoinPoints ? 1 : 0, options.Strict ? 1 : 0 };
+    AddHidden(fieldData, NewArray<vtkIntArray>(ArrayNames::SurfaceOptions, 1, values));
   }
 }
 
 void AddPositiveSide(const SidesOfSurface& sides, vtkFieldData* fieldData)
 {
-  vtkNew<vtkStringArray> side;
-  side->SetName(ArrayNames::PositiveSide);
-  side->InsertNextValue(sides.Text());
-  AddHidden(fieldData, side);
+  AddHidden(fieldData, NewValue<vtkStringArray>(ArrayNames::PositiveSide, sides.Text()));
 }
 
 PreparationOptions PreparationOf(vtkDataSet* surface)

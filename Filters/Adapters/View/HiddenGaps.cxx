@@ -93,9 +93,8 @@ void HiddenGaps::ArrayBack(const AddedArray& added, const SurfaceRelation& relat
 
 void HiddenGaps::Report(vtkFieldData* fieldData) const
 {
-  const auto number = NewArray(ArrayNames::CellsWithoutFlow, 1, 1);
-  number->SetValue(0, static_cast<double>(this->Cells.size()));
-  fieldData->AddArray(number);
+  const auto number = static_cast<double>(this->Cells.size());
+  fieldData->AddArray(NewValue<vtkDoubleArray>(ArrayNames::CellsWithoutFlow, number));
 }
 
 }

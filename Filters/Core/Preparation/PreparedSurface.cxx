@@ -2,6 +2,7 @@
 
 #include "Mesh/SpatialOrder.h"
 #include "Preparation/CoincidingPoints.h"
+#include "Preparation/PartsWithoutArea.h"
 #include "Preparation/SurfaceRepair.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
@@ -166,6 +167,14 @@ bool HasCoincidingBoundary(const TriangleMesh& mesh)
   return JoinBoundary(mesh.VertexPositions(), points, sets);
 }
 
+bool HasPartWithoutArea(const TriangleMesh& mesh)
+{
+  return !InPartsWithoutArea(mesh.VertexPositions(), mesh.FaceCorners(),
+    [&mesh](int side) {
+      return mesh.Twin(side);
+    }).empty();
+}
+
 /// \throw InvalidInput the surface is no oriented manifold; the message says so, if it can be made one.
 PreparedSurface MakeStrict(const CellTriangles& given, const UsedPoints& used, const SurfaceParts& parts,
   Numbering order, const ExecutionContext& context)
@@ -235,7 +244,9 @@ PreparedSurface PrepareSurface(
   {
     surface = AsItIs(given, used, options, context);
   }
-  if (!surface || (!options.Strict && options.JoinPoints && HasCoincidingBoundary(surface->Mesh)))
+  if (!surface ||
+    (!options.Strict && options.JoinPoints &&
+      (HasCoincidingBoundary(surface->Mesh) || HasPartWithoutArea(surface->Mesh))))
   {
     try
     {

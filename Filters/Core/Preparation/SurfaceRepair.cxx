@@ -3,6 +3,7 @@
 #include "Mesh/PointChecks.h"
 #include "Preparation/CoincidingPoints.h"
 #include "Preparation/DoubledTriangles.h"
+#include "Preparation/PartsWithoutArea.h"
 #include "Preparation/RepairRelation.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -47,19 +48,17 @@ public:
       this->LeaveOut();
       this->PairParticipants();
     }
-    if (this->Participants.empty())
+    this->MakeManifold();
+    while (this->CollapsePartsWithoutArea())
     {
-      this->RefuseDuplicatesOnly();
-      RefuseSurfaceWithoutArea();
+      this->LeaveOut();
+      this->PairParticipants();
+      this->MakeManifold();
     }
-    Orientation orientation = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
-    TurnOver(this->CornersOfParticipants, this->Pairs, orientation.IsTurned);
-    FanVertices fans = VerticesOfFans(
-      static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
     return RelateRepaired(this->Input, this->PointsInUse,
       { std::move(this->JoinedPoints), std::move(this->Corners), std::move(this->Places), std::move(this->Twins),
         std::move(this->Participants), std::move(this->CornersOfParticipants), std::move(this->Pairs),
-        std::move(orientation), std::move(fans) });
+        std::move(this->Sides), std::move(this->Fans) });
   }
 
 private:
@@ -68,6 +67,15 @@ private:
     ElementNames names;
     names.Vertices.assign(this->PointsInUse.Points.begin(), this->PointsInUse.Points.end());
     CheckPoints(this->Input.Positions, names);
+  }
+
+  void RefuseWithoutParticipants() const
+  {
+    if (this->Participants.empty())
+    {
+      this->RefuseDuplicatesOnly();
+      RefuseSurfaceWithoutArea();
+    }
   }
 
   void RefuseDuplicatesOnly() const
@@ -195,6 +203,34 @@ private:
     return true;
   }
 
+  /// Turns the participants alike, and gives each of their fans a vertex.
+  void MakeManifold()
+  {
+    this->RefuseWithoutParticipants();
+    this->Sides = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
+    TurnOver(this->CornersOfParticipants, this->Pairs, this->Sides.IsTurned);
+    this->Fans = VerticesOfFans(
+      static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
+  }
+
+  /// Triangles of parts without area become their longest side, so that they have the faces around it. Flat triangles between others stay,
+  /// as the surface hangs together by them.
+  bool CollapsePartsWithoutArea()
+  {
+    const std::vector<char> inPart = InPartsWithoutArea(
+      this->Input.Positions, this->CornersOfParticipants, [this](int side) { return this->Pairs.Of(side); });
+    for (std::size_t i = 0; i < inPart.size(); ++i)
+    {
+      if (inPart[i])
+      {
+        const int triangle = this->Participants[i];
+        const int begin = LongestSide(this->Input.Positions, this->Corners, triangle);
+        this->Corners(triangle, (begin + 2) % 3) = this->Corners(triangle, begin);
+      }
+    }
+    return !inPart.empty();
+  }
+
   const CellTriangles& Input;
   const UsedPoints& PointsInUse;
   const bool JoinsPoints;
@@ -208,7 +244,9 @@ private:
   std::vector<char> TakesPart;   ///< per triangle
   std::vector<int> Participants; ///< the triangles that take part
   Triangles CornersOfParticipants;
-  SheetPairs Pairs; ///< of kept triangles
+  SheetPairs Pairs;  ///< of kept triangles
+  Orientation Sides; ///< of kept triangles
+  FanVertices Fans;
 };
 
 }

@@ -2,6 +2,7 @@
 #define dmgQuadMesh_h
 
 #include "Mesh/FramedMesh.h"
+#include "Quads/Crosses/FinerSurface.h"
 #include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
 #include "Quads/QuadOptions.h"
@@ -9,11 +10,25 @@
 #include "Support/Types.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace dmg
 {
+
+/// The distances between a surface and its quads.
+struct QuadDistances
+{
+  double LargestFromQuads = 0.0; ///< of the vertices of the surface
+  double MeanFromQuads = 0.0;    ///< of these, each with the area around it
+  int FarthestVertex = -1; ///< of the surface, or an end of the edge on which the farthest place is; -1: not measured
+  Vector3 FarthestPlace = Vector3::Zero(); ///< of the surface from quads
+  double InEdges = 0.0;                    ///< LargestFromQuads over the length of edges that is aimed at there
+  double LargestFromSurface = 0.0;         ///< of the middles of quads and of their sides
+  double MeanFromSurface = 0.0;            ///< of the quads' largest distances, each with its area
+  int FarthestQuad = -1;
+};
 
 /// The properties of a quad mesh, and how it was made.
 struct QuadReport
@@ -32,7 +47,15 @@ struct QuadReport
   std::vector<int> RefinedFaces = {}; ///< of the surface, where they are shorter than was aimed at; ascending
   int SplitFaces = 0;                 ///< of components that no other quads fit: three quads each, or more
   int LeftOut = 0;                    ///< components of two faces back to back that no quads fit
-  int CutOff = 0;                     ///< twice the number of places where a thin part at the boundary may be lost
+  double LengthScale = 1.0; ///< by which lengths were scaled after they had been fitted to the number of quads
+  bool IsShortened = false; ///< whether that was as longer edges do not fit the surface
+  int CutOff = 0;           ///< twice the number of places where a thin part at the boundary may be lost
+  QuadDistances Distances = {};
+  std::vector<double>
+    AreaShares = {};         ///< by component of the surface (FaceComponents): the area of its quads over its own
+  int LeastCovered = -1;     ///< a face of the component of the smallest share
+  double AskedRatio = 1.0;   ///< of the largest to the smallest of the lengths of edges that QuadOptions::Sizes give
+  double ReachedRatio = 1.0; ///< AskedRatio to the power by which the lengths of edges follow those on the mean
   /// Empty, or why there are no quads: what of the surface they would lose, and a remedy.
   std::string Error = {};
 };
@@ -49,17 +72,29 @@ struct QuadMesh
   std::vector<int> Singularities; ///< by vertex, the number of singular vertices of the surface that it stands for
   Vector<double> ScaledJacobians; ///< by quad, see QuadSmoothing.h
 
-  MapOfCorners Map;        ///< seamless; integers are the vertices' coordinates
-  std::vector<char> IsCut; ///< by edge of the surface: whether the map jumps there
+  /// The surface with its long edges halved, which the map is of; null where there are none.
+  std::shared_ptr<const FinerSurface> Finer;
+  MapOfCorners Map;        ///< seamless, by corner of Finer; integers are the vertices' coordinates
+  std::vector<char> IsCut; ///< by edge of Finer: whether the map jumps there
 
   QuadReport Report;
 };
 
+/// The surface that quads are made of: a map has no room to bend within triangles that are larger than quads, so edges that are longer than
+/// those of quads are halved first. MakeQuads does so; call it for a field that is to be found there.
+/// \return null where the surface serves as it is. There are at most 25 triangles for each quad, or half as many more than before.
+/// \throw InvalidInput an option is out of range; there would be more than ten million quads.
+std::shared_ptr<const FinerSurface> SurfaceForQuads(const FramedMesh& surface, const QuadOptions& options,
+  const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+
 /// Makes a pure quad mesh whose edges follow a cross field. See Quads.md for the method.
 ///
 /// The mesh has the Euler number of the surface, and each edge has a quad on each side, except on the boundary. Where quads are too
-/// large for a handle, a hole or a component, edges are halved there and around it, in up to six rounds. If that does not help, a
-/// component of few faces has three quads for each of them. Else there are no quads and QuadReport::Error says why; the map is there.
+/// large for a handle, a hole, a component or a limb, edges are halved there and around it, in up to six rounds. If that does not help, a
+/// component of few faces has three quads for each of them; else all edges are halved, twice at most. If that does not help either,
+/// there are no quads and QuadReport::Error says why; the map is there.
+///
+/// The number of quads is as near to the one that is asked for as three tries bring it.
 ///
 /// \param powers the fourth powers of the field's directions, one per face in its frame. A field that follows the boundary and sharp
 ///   edges gives edges along them (FeatureOptions).
@@ -71,6 +106,12 @@ struct QuadMesh
 /// singularity, handle and hole, and the cube of their number.
 QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options = {},
   const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+
+/// The same with a field on the surface that SurfaceForQuads has made.
+/// \param finer null: the field is one of the surface, whose long edges stay.
+/// \param powers by face of \p finer.
+QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer, const Vector<Complex>& powers,
+  const QuadOptions& options = {}, const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
 }
 

@@ -430,6 +430,41 @@ TEST(PreparedSurface, JoinsTheNeighboursOfCollapsedTriangles)
   EXPECT_EQ(Items(Prepared(apart).Relation.FacesOf(80)).size(), 2u);
 }
 
+// Two triangles back to back, whose corners lie on an edge of others, are a line there, and one beside them is no surface of its own.
+TEST(PreparedSurface, MakesLinesOfPartsWithoutArea)
+{
+  Surface solid{ Points(5, 3), Triangles(6, 3) };
+  solid.V << 0, 0, 0, 4, 0, 0, 0, 4, 0, 0, 0, 4, 2, 0, 0;
+  solid.F << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 4, 1, 1, 4, 0;
+  const PreparedSurface prepared = Prepared(solid);
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 4);
+  EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(prepared.Report.Text(), "2 cells without area");
+  for (const int cell : { 4, 5 })
+  {
+    std::vector<int> around;
+    for (const int face : Items(prepared.Relation.FacesOf(cell)))
+    {
+      around.push_back(prepared.Relation.CellOf(face));
+    }
+    std::sort(around.begin(), around.end());
+    EXPECT_EQ(around, (std::vector<int>{ 0, 1 })); // which have the edge
+  }
+
+  Surface beside = WithFaces(solid, { { 5, 6, 7 } });
+  beside.F.row(4) = beside.F.row(5) = beside.F.row(0); // twins
+  beside.V.conservativeResize(8, 3);
+  beside.V.bottomRows(3) << 9, 0, 0, 9, 1, 0, 9, 2, 0;
+  EXPECT_EQ(Prepared(beside).Mesh.EulerCharacteristic(), 2);
+  EXPECT_TRUE(Prepared(beside).Relation.FacesOf(6).empty());
+
+  // A flat triangle between others holds them together.
+  Surface strip{ Points(4, 3), Triangles(3, 3) };
+  strip.V << 0, 0, 0, 2, 0, 0, 1, 1, 0, 1, 0, 0;
+  strip.F << 0, 3, 2, 3, 1, 2, 0, 1, 3;
+  EXPECT_EQ(Prepared(strip).Mesh.NumberOfFaces(), 3);
+}
+
 // Quads with two sides in common have the diagonal in common that is the better one for both.
 TEST(PreparedSurface, CutsQuadsAlongDiagonalsOfTheirOwn)
 {

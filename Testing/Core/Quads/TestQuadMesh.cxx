@@ -479,9 +479,11 @@ TEST(QuadMesh, FollowsSeams)
 {
   const FramedMesh surface(IrregularTorus(48, 24, 5).Mesh());
   const QuadMesh mesh = MakeQuads(surface, CrossesOf(surface), NumberOfQuads(400.0));
-  for (int h = 0; h < 3 * surface.Mesh.NumberOfFaces(); ++h)
+  ASSERT_TRUE(mesh.Finer);
+  const TriangleMesh& triangles = mesh.Finer->Geometry.Mesh;
+  for (int h = 0; h < 3 * triangles.NumberOfFaces(); ++h)
   {
-    const int twin = surface.Mesh.Twin(h);
+    const int twin = triangles.Twin(h);
     const auto side = [&mesh](int halfedge)
     {
       const auto &a = mesh.Map[halfedge], &b = mesh.Map[TriangleMesh::Next(halfedge)];
@@ -490,7 +492,7 @@ TEST(QuadMesh, FollowsSeams)
     const std::array<FixedPoint, 2> here = side(h), there = side(twin);
     EXPECT_EQ(here[0] * here[0] + here[1] * here[1], there[0] * there[0] + there[1] * there[1])
       << "an isometry of the grid";
-    if (!mesh.IsCut[surface.Mesh.EdgeOf(h)])
+    if (!mesh.IsCut[triangles.EdgeOf(h)])
     {
       EXPECT_EQ(here[0], -there[0]);
       EXPECT_EQ(here[1], -there[1]);

@@ -168,6 +168,19 @@ CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles,
   return placement.Result;
 }
 
+Points PositionsOf(const TriangleMesh& mesh, const CellPlaces& places)
+{
+  Points positions = Points::Zero(static_cast<int>(places.Places.size()), 3);
+  for (int vertex = 0; vertex < positions.rows(); ++vertex)
+  {
+    if (places.Places[vertex].Face >= 0)
+    {
+      positions.row(vertex) = PositionOf(mesh, places.Places[vertex]).transpose();
+    }
+  }
+  return positions;
+}
+
 SurfacePlace PlaceInFace(const TriangleMesh& mesh, int face, const Vector3& position)
 {
   std::array<Vector3, 3> to;

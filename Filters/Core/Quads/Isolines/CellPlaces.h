@@ -38,6 +38,9 @@ struct CellPlaces
 CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
   const LinesOfEdges& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells);
 
+/// The positions of places; zero where there is none.
+Points PositionsOf(const TriangleMesh& mesh, const CellPlaces& places);
+
 /// The place of a face that a position on it has.
 SurfacePlace PlaceInFace(const TriangleMesh& mesh, int face, const Vector3& position);
 

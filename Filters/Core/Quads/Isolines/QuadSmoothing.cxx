@@ -31,19 +31,6 @@ std::array<Vector3, 4> CornersOf(const std::array<int, 4>& quad, const Points& p
     positions.row(quad[3]).transpose() };
 }
 
-Points PositionsOf(const TriangleMesh& mesh, const CellPlaces& places)
-{
-  Points positions = Points::Zero(static_cast<int>(places.Places.size()), 3);
-  for (int vertex = 0; vertex < positions.rows(); ++vertex)
-  {
-    if (places.Places[vertex].Face >= 0)
-    {
-      positions.row(vertex) = PositionOf(mesh, places.Places[vertex]).transpose();
-    }
-  }
-  return positions;
-}
-
 /// The quads around each vertex.
 std::vector<std::vector<int>> QuadsAround(const IndexedQuads& quads)
 {

@@ -1,0 +1,80 @@
+#ifndef dmgQuadRounds_h
+#define dmgQuadRounds_h
+
+#include "Constraints/NearestPlaces.h"
+#include "Quads/Crosses/CrossField.h"
+#include "Quads/Crosses/CutSurface.h"
+#include "Quads/Crosses/LinesOfEdges.h"
+#include "Quads/Isolines/CellPlaces.h"
+#include "Quads/Isolines/IndexedQuads.h"
+#include "Quads/Isolines/IsolineCells.h"
+#include "Quads/Isolines/QuadDefects.h"
+#include "Quads/LengthsOfEdges.h"
+#include "Quads/Map/SeamlessMap.h"
+#include "Quads/QuadOptions.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace dmg
+{
+
+/// The quads of one map, with what they were made of.
+struct QuadRound
+{
+  MapOfCorners Map;
+  CellPlaces Places;
+  IndexedQuads Quads;
+  QuadDefects Defects;
+  int Far =
+    0; ///< vertices of the surface that are farther from quads than edges are long there; 0 where there are defects
+  std::vector<std::pair<int, int>>
+    Tips = {};           ///< vertices of quads with the vertices of the surface, far from quads, that they stand for
+  Vector<double> Scales; ///< by face: of the lengths of edges; less than 1 where they were halved
+  int Number = 0;        ///< of rounds before
+
+  /// Less is better.
+  std::tuple<int, int, int> Badness() const { return { this->Defects.Number, this->Defects.CutOff, this->Far }; }
+};
+
+/// The map of a surface along a field, and quads from it for any lengths of edges.
+class QuadRounds
+{
+public:
+  /// \param surface and options are borrowed.
+  QuadRounds(const FramedMesh& surface, const Vector<Complex>& powers, const LengthsOfEdges& lengths,
+    const QuadOptions& options, const ExecutionContext& context);
+
+  /// Makes quads, with shorter edges where they do not fit, until they do.
+  /// \param scale of all lengths.
+  QuadRound Refine(double scale, const ExecutionContext& context);
+
+  const FramedMesh& Surface;
+  const QuadOptions& Options;
+  const SurfaceAngles Angles;
+  CrossField Field;
+  const std::vector<int> Components;
+  const NearestPlaces Places;
+  LengthsOfEdges Lengths; ///< scaled so that the real map gives the number of quads
+  double Fit = 1.0;       ///< that scale
+  int SplitSingularities = 0;
+  CutSurface Cut;
+  std::optional<LinesOfEdges> Lines; ///< of aligned edges
+
+private:
+  void FitLengths(const ExecutionContext& context);
+  QuadRound Make(const Vector<double>& lengths, const ExecutionContext& context);
+  /// Marks faces whose corners are far from quads as bad, and finds the tips.
+  void MarkFar(
+    const Vector<double>& lengths, const IsolineCells& cells, QuadRound& round, const ExecutionContext& context) const;
+
+  std::optional<SeamlessMap> Map;
+};
+
+}
+
+#endif

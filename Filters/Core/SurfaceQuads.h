@@ -1,0 +1,24 @@
+#ifndef dmgSurfaceQuads_h
+#define dmgSurfaceQuads_h
+
+#include "Mesh/FramedMesh.h"
+#include "Quads/QuadMesh.h"
+#include "Support/ExecutionContext.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+/// Makes a pure quad mesh of a bare surface: MakeQuads with the smoothest cross field of unit length, which follows the boundary and sharp
+/// edges as far as the options align edges to these. The field is found on the surface that quads are made of (SurfaceForQuads).
+/// \throw InvalidInput as MakeQuads. \throw SolverFailure as FieldSolver::Solve.
+QuadMesh MakeQuadsAlongFeatures(const std::shared_ptr<const FramedMesh>& surface, const QuadOptions& options = {},
+  const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+
+/// The fourth power of each direction, unit; zero where there is none.
+Vector<Complex> FourthPowers(const Vector<Complex>& directions);
+
+}
+
+#endif
