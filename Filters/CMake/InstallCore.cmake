@@ -33,8 +33,8 @@ set(entrances
   Directions/FieldTopology.h Directions/PrincipalDirections.h Drawing/ContourLines.h Drawing/EvenlySpacedLines.h Drawing/FieldGlyphs.h
   Drawing/GlyphPlaces.h FieldSolver.h Flows/FlowOperators.h Flows/HodgeDecomposition.h Geodesics/ParallelTransport.h
   Geodesics/SurfaceDistance.h
-  Preparation/PolygonSurface.h Preparation/PreparedSurface.h Quads/QuadMesh.h Scales/ScaleFilter.h Singularities/PrescribedSingularities.h Quads/SurfaceQuads.h
-  StructurePreserving/SurfaceHierarchy.h)
+  Preparation/PolygonSurface.h Preparation/PreparedSurface.h Quads/QuadMesh.h Quads/SurfaceQuads.h Scales/FlowScales.h Scales/ScaleFilter.h
+  Scales/Spectrum.h Singularities/PrescribedSingularities.h StructurePreserving/SurfaceHierarchy.h)
 if (DMG_PETSC)
   list(APPEND entrances Pieces/FieldSolverInPieces.h)
   install(TARGETS dmgPieces EXPORT DirectionalMultigridPieces

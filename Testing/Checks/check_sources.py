@@ -50,7 +50,7 @@ FLOORS = {
     "Setup": 14,
     "Singularities": 15,
     # The door: fields, as users ask for them and get them. What else is computed on a surface stands beside it.
-    ".": 16, "Flows": 16, "Geodesics": 16, "Scales": 16,
+    ".": 16, "Flows": 16, "Geodesics": 16, "Scales": 17,
     "Quads/Crosses": 16, "Quads/Map": 17, "Quads/Isolines": 18, "Quads": 19,
     # The only rooms that know MPI and PETSc; nothing else of the core includes them. They give a Field, as FieldSolver does.
     "Pieces/Surface": 20, "Pieces/Constraints": 21, "Pieces/Solvers": 22, "Pieces": 23,

@@ -63,6 +63,8 @@ public:
 
   const FramedMesh& Surface() const { return this->Geometry; }
   const std::vector<BoundaryPart>& Parts() const { return this->PartsOfSurface; }
+  /// The set-ups of the surface, which others may share.
+  SetupCache& SharedSetups() { return this->Setups; }
   /// The report of the last solve.
   const SolveReport& Report() const { return this->LastReport; }
 

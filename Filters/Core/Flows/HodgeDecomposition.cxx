@@ -270,6 +270,11 @@ const std::vector<BoundaryPart>& HodgeDecomposition::Boundaries() const
   return this->Internal->Potentials.Parts();
 }
 
+SetupCache& HodgeDecomposition::Setups()
+{
+  return this->Internal->Potentials.SharedSetups();
+}
+
 const SidesOfSurface& HodgeDecomposition::Sides() const
 {
   return this->Internal->Sides;

@@ -98,6 +98,8 @@ public:
   Vector<Complex> AtVertices(const Vector<Complex>& part, const ExecutionContext& context = SerialContext());
   /// The loops of the boundary; of those that are partly open, their arcs.
   const std::vector<BoundaryPart>& Boundaries() const;
+  /// The set-ups of the surface, for others that solve for functions on it.
+  SetupCache& Setups();
   /// The positive side, by which vorticity, stream functions and circulations have their signs.
   const SidesOfSurface& Sides() const;
   /// The report of the last solve, without a solver before the first.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,9 @@ namespace
 
 /// Beyond so many times the largest eigenvalue, nothing but rounding is above the wavelength.
 constexpr double LargestShift = 1e15;
+
+/// A lower limit means a time budget: no factor takes over.
+constexpr int FewestIterationsBeforeFactor = 100;
 
 /// Shorter waves have an amplitude that is off by a twentieth or more (LengthOnMesh).
 constexpr double FewestCells = 4.0;
@@ -40,6 +44,28 @@ FieldOptions OptionsOf(const ScaleFilterOptions& asked)
   options.Solver.ExpectedSolves = asked.Solver.ExpectedSolves;
   options.Solver.Sweeps = asked.Solver.Sweeps;
   return options;
+}
+
+void CheckOptions(const ScaleFilterOptions& options, int vertices)
+{
+  if (options.Order != 1 && options.Order != 2)
+  {
+    throw InvalidInput(
+      "the order " + std::to_string(options.Order) + " of the scale filter is neither 1 nor 2; give one of them");
+  }
+  if (!options.Fixed.empty() && options.Quantity == ScaledQuantity::Vectors)
+  {
+    throw InvalidInput("vectors have fixed vertices, and the scale filter knows them of functions alone; give none");
+  }
+  for (std::size_t k = 0; k < options.Fixed.size(); ++k)
+  {
+    const int vertex = options.Fixed[k];
+    if (vertex < 0 || vertex >= vertices || (k > 0 && vertex <= options.Fixed[k - 1]))
+    {
+      throw InvalidInput("the fixed vertex " + std::to_string(vertex) + " is not one of the " +
+        std::to_string(vertices) + " vertices, or follows no smaller one; sort fixed vertices, and name each once");
+    }
+  }
 }
 
 void CheckWavelength(double wavelength)
@@ -85,13 +111,22 @@ public:
   PlannedSetup Setup;
   SolveReport Report;
 
+  /// Makes the mean of a function zero on each component in which nothing is fixed.
+  void Centre(Vector<double>& quantity) const;
+
 private:
   void CheckQuantity(const Vector<double>& quantity) const;
-  /// Makes the mean of a function zero on each component.
-  void Centre(Vector<double>& quantity) const;
   /// The system stage.
   void TakeWavelength(double wavelength, const ExecutionContext& context);
   void WarnOf(double wavelength);
+  /// Shift times mass, infinite where the function is fixed.
+  Vector<double> Diagonal(double shift) const;
+  /// The equations of the wavelength, preconditioned by \p inverse of R + s M; x is a start, or empty.
+  void Iterate(SolverMethod::Iteration& iterate, Preconditioner<double>& inverse, const Vector<double>& b,
+    const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
+  /// Goes on with a factor where cycles have stalled. If the factorisation fails, all stays as it was.
+  void GoOnWithFactor(
+    const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
   /// 1 / (2 c^2) or, of order 2, 1 / (sqrt 2 c^2), in units of the mean area.
   double ShiftOf(double wavelength) const;
   /// The right-hand side of the part above or below. \param smoothed R f. \return scaled as the matrix is.
@@ -104,14 +139,18 @@ private:
   const int Order;
   const SolverOptions Options;
   const SurfaceSizes Sizes;
-  const double MeanArea;                        ///< of vertices
-  const std::vector<int> Components;            ///< by vertex; empty for vectors, which have no means
+  const double MeanArea;             ///< of vertices
+  const std::vector<int> Components; ///< by vertex; empty for vectors, which have no means
+  const std::vector<int> FixedVertices;
+  std::vector<int> FixedUnknowns;               ///< these, in the order of the hierarchy
   Vector<double> Mass;                          ///< by unknown in the order of the hierarchy, relative to the mean
   double LargestEigenvalue = 0.0;               ///< of M^-1 R, about
-  std::unique_ptr<StiffnessOperator> Stiffness; ///< R
+  std::unique_ptr<StiffnessOperator> Stiffness; ///< R, without the rows that are fixed
   std::unique_ptr<StiffnessOperator> ShiftedStiffness; ///< R + s M
   std::unique_ptr<SquaredStiffness> Squared;           ///< R M^-1 R + s^2 M
   std::unique_ptr<StiffnessCycle> Inverse;             ///< of R + s M
+  std::unique_ptr<Preconditioner<double>> Factor;      ///< the same, as soon as cycles have stalled
+  double ShiftOfInverse = 0.0;                         ///< s of both
   double Wavelength = 0.0;                             ///< that the equations have; 0: none
   double Shift = 0.0;                                  ///< s
   std::vector<std::string> Warnings;                   ///< of the wavelength
@@ -127,12 +166,9 @@ ScaleFilter::Internals::Internals(
   , MeanArea(this->Areas.mean())
   , Components(
       options.Quantity == ScaledQuantity::Function ? VertexComponents(setups.Surface.Mesh) : std::vector<int>())
+  , FixedVertices(options.Fixed)
 {
-  if (this->Order != 1 && this->Order != 2)
-  {
-    throw InvalidInput(
-      "the order " + std::to_string(this->Order) + " of the scale filter is neither 1 nor 2; give one of them");
-  }
+  CheckOptions(options, setups.Surface.Mesh.NumberOfVertices());
   this->Setup = setups.Take(*this->Field, OptionsOf(options), nullptr, context);
   const StiffnessHierarchy& hierarchy = *this->Setup.Levels->Hierarchy;
   const int size = hierarchy.NumberOfUnknowns();
@@ -142,8 +178,13 @@ ScaleFilter::Internals::Internals(
     this->Mass[i] = this->Areas[hierarchy.Order[i] / this->Field->UnknownsPerElement()] / this->MeanArea;
     this->LargestEigenvalue = std::max(this->LargestEigenvalue, hierarchy.DiagonalOf(i) / this->Mass[i]);
   }
+  const std::vector<int> places = dmg::Inverse(hierarchy.Order, context);
+  for (const int vertex : this->FixedVertices)
+  {
+    this->FixedUnknowns.push_back(places[vertex]);
+  }
   this->Stiffness = hierarchy.Operator();
-  this->Stiffness->SetDiagonal(Vector<double>::Zero(size), context);
+  this->Stiffness->SetDiagonal(this->Diagonal(0.0), context);
   this->ShiftedStiffness = hierarchy.Operator();
   this->Squared = std::make_unique<SquaredStiffness>(*this->Stiffness, this->Mass);
 }
@@ -170,8 +211,15 @@ void ScaleFilter::Internals::Centre(Vector<double>& quantity) const
 {
   if (!this->Components.empty())
   {
-    FreeComponents(this->Components, {}).Centre(quantity, this->Areas);
+    FreeComponents(this->Components, this->FixedVertices).Centre(quantity, this->Areas);
   }
+}
+
+Vector<double> ScaleFilter::Internals::Diagonal(double shift) const
+{
+  Vector<double> D = shift * this->Mass;
+  D(this->FixedUnknowns).setConstant(std::numeric_limits<double>::infinity());
+  return D;
 }
 
 double ScaleFilter::Internals::ShiftOf(double wavelength) const
@@ -212,10 +260,11 @@ void ScaleFilter::Internals::TakeWavelength(double wavelength, const ExecutionCo
   const Stopwatch watch;
   this->Wavelength = 0.0;
   this->Shift = std::min(this->ShiftOf(wavelength), LargestShift * this->LargestEigenvalue);
-  const double shiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal()));
-  this->ShiftedStiffness->SetDiagonal(this->Shift * this->Mass, context);
+  this->ShiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal()));
+  this->ShiftedStiffness->SetDiagonal(this->Diagonal(this->Shift), context);
   this->Squared->SetShift(this->Shift);
-  const Vector<double> D = shiftOfInverse * this->Mass;
+  const Vector<double> D = this->Diagonal(this->ShiftOfInverse);
+  this->Factor.reset();
   std::unique_ptr<StiffnessCycle> inverse = std::move(this->Inverse); // which an error makes unusable
   if (inverse)
   {
@@ -252,23 +301,60 @@ Vector<double> ScaleFilter::Internals::RightHandSide(
   return twice;
 }
 
+void ScaleFilter::Internals::Iterate(SolverMethod::Iteration& iterate, Preconditioner<double>& inverse,
+  const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
+{
+  if (this->Order == 1)
+  {
+    iterate(*this->ShiftedStiffness, inverse, b, stop, x, this->Report, context, nullptr);
+    return;
+  }
+  SquaredInverse twice(inverse, this->Mass);
+  iterate(*this->Squared, twice, b, stop, x, this->Report, context, nullptr);
+}
+
+void ScaleFilter::Internals::GoOnWithFactor(
+  const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
+{
+  try
+  {
+    if (!this->Factor)
+    {
+      this->Factor = this->Setup.Levels->Hierarchy->Factor(this->Diagonal(this->ShiftOfInverse), context);
+    }
+  }
+  catch (const SolverFailure&)
+  {
+    return;
+  }
+  this->Report.Warnings = this->Warnings;
+  this->Iterate(*MethodOf(SolverKind::Cholesky).Iterate, *this->Factor, b, stop, x, context);
+  this->Report.Warnings.push_back(
+    "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
+}
+
+/// The part above is solved for if something is fixed: its equations see the fixed values, and are zero there.
 Vector<double> ScaleFilter::Internals::SolveForSmaller(
   const Vector<double>& f, bool& isAbove, const StoppingCriteria& asked, const ExecutionContext& context)
 {
   Vector<double> Rf;
-  const double energy = this->Stiffness->Apply(f, Rf, context);
-  isAbove = energy < this->Shift * f.dot(this->Mass.cwiseProduct(f));
+  this->Stiffness->Apply(f, Rf, context);
+  isAbove = !this->FixedUnknowns.empty() || f.dot(Rf) < this->Shift * f.dot(this->Mass.cwiseProduct(f));
   const Vector<double> b = this->RightHandSide(isAbove, f, Rf, context);
-  StoppingCriteria stop = asked;
-  stop.MayEstimate = !this->Setup.Choice.Method->IsDirect;
   this->Report.Warnings = this->Warnings;
   Vector<double> x;
-  SquaredInverse twice(*this->Inverse, this->Mass);
-  const bool isSquared = this->Order == 2;
-  const LinearOperator<double>& matrix =
-    isSquared ? static_cast<const LinearOperator<double>&>(*this->Squared) : *this->ShiftedStiffness;
-  Preconditioner<double>& inverse = isSquared ? static_cast<Preconditioner<double>&>(twice) : *this->Inverse;
-  this->Setup.Choice.Method->Iterate(matrix, inverse, b, stop, x, this->Report, context, nullptr);
+  if (!this->Factor)
+  {
+    StoppingCriteria stop = asked;
+    stop.MayEstimate = !this->Setup.Choice.Method->IsDirect;
+    this->Iterate(*this->Setup.Choice.Method->Iterate, *this->Inverse, b, stop, x, context);
+  }
+  const bool hasStalled = this->Setup.Choice.Method->HasFallback && !this->Report.Converged &&
+    !this->Report.EndedByRounding && asked.MaximumIterations >= FewestIterationsBeforeFactor;
+  if (this->Factor || hasStalled)
+  {
+    this->GoOnWithFactor(b, asked, x, context);
+  }
   return x;
 }
 
@@ -277,6 +363,12 @@ SplitScales ScaleFilter::Internals::Split(
 {
   CheckWavelength(wavelength);
   this->CheckQuantity(quantity);
+  if (this->FixedUnknowns.size() == static_cast<std::size_t>(quantity.size()))
+  {
+    this->Report = {};
+    this->Report.Converged = true;
+    return { quantity, Vector<double>::Zero(quantity.size()) };
+  }
   this->TakeWavelength(wavelength, PartOfContext(context, 0.0, 0.4));
   const std::vector<int>& order = this->Setup.Levels->Hierarchy->Order;
   const double unit = UnitOf(quantity);
@@ -323,6 +415,13 @@ SplitScales ScaleFilter::Split(
   const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   return this->Internal->Split(quantity, wavelength, stop, context);
+}
+
+Vector<double> ScaleFilter::Varying(const Vector<double>& quantity) const
+{
+  Vector<double> varying = quantity;
+  this->Internal->Centre(varying);
+  return varying;
 }
 
 const Vector<double>& ScaleFilter::Areas() const

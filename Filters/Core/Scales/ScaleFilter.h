@@ -9,6 +9,7 @@
 #include "Support/Types.h"
 
 #include <memory>
+#include <vector>
 
 namespace dmg
 {
@@ -30,6 +31,9 @@ struct ScaleFilterOptions
   ScaledQuantity Quantity = ScaledQuantity::Function;
   /// 1 or 2. Order 2 separates scales more sharply.
   int Order = 2;
+  /// Vertices, ascending, at which a function keeps its values, as a stream function does along a coast. Nothing is above there, and the
+  /// harmonic function of these values stays below all wavelengths, as means do elsewhere. Not of vectors.
+  std::vector<int> Fixed;
   /// Kind, ExpectedSolves and Sweeps count. Full multigrid is taken as Automatic.
   SolverOptions Solver;
 };
@@ -62,7 +66,7 @@ class ScaleFilter
 {
 public:
   /// \param surface is borrowed.
-  /// \throw InvalidInput the order is neither 1 nor 2.
+  /// \throw InvalidInput the order is neither 1 nor 2; fixed vertices are out of range or not ascending, or are of vectors.
   /// \throw SolverFailure, Cancelled
   explicit ScaleFilter(const FramedMesh& surface, const ScaleFilterOptions& options = {},
     const ExecutionContext& context = SerialContext());
@@ -76,12 +80,15 @@ public:
   /// \param wavelength > 0, in the unit of the points. The report warns of one that the mesh does not resolve, or that is longer than the
   ///   surface, with the amplitude that such waves keep.
   /// \param stop The smaller part, as it seems from the quantity, is solved for to the tolerance, relative in the norm of its equations.
-  /// \return not converged: the best that was reached; see Report().
+  /// \return not converged: the best that was reached; see Report(). Where cycles do not converge in 100 iterations or more, conjugate
+  ///   gradients with a factor take over, and a warning says so.
   /// \throw InvalidInput numbers are missing or not finite; the wavelength is not positive and finite.
   /// \throw SolverFailure, Cancelled
   SplitScales Split(const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop = { 1e-6, 200 },
     const ExecutionContext& context = SerialContext());
 
+  /// A function without its means over components, in which nothing is fixed: all that can be above a wavelength. Vectors as they are.
+  Vector<double> Varying(const Vector<double>& quantity) const;
   /// M, one area per vertex: the weights of means and energies.
   const Vector<double>& Areas() const;
   /// The report of the last split, empty before the first.

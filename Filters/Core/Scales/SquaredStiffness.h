@@ -15,7 +15,7 @@ namespace dmg
 class SquaredStiffness : public LinearOperator<double>
 {
 public:
-  /// \param stiffness R, with a diagonal of zero; borrowed.
+  /// \param stiffness R, with a diagonal of zero, infinite where unknowns are fixed at zero; borrowed.
   /// \param mass > 0, one per unknown; borrowed.
   SquaredStiffness(const StiffnessOperator& stiffness, const Vector<double>& mass)
     : R(stiffness)

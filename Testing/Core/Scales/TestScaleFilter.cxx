@@ -2,6 +2,8 @@
 
 #include "Scales/ScaleFilter.h"
 
+#include "Analysis/BoundaryLoops.h"
+#include "Mesh/SurfaceSizes.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Operators/CotangentLaplacian.h"
 #include "Operators/ExteriorCalculus.h"
@@ -13,6 +15,8 @@
 #include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
+
+#include "FlatCylinder.h"
 
 #include <Eigen/SparseLU>
 #include <gtest/gtest.h>
@@ -277,6 +281,128 @@ TEST(ScaleFilter, IterationsStayFewFromTwoToTwoThousandCells)
   }
 }
 
+/// J_0 of a zero of itself or of its derivative, -J_1 , on discs of so many rings.
+double ErrorOnDisc(int rings, bool isZeroAtRim, int order)
+{
+  const FramedMesh disc(Disk(rings).Mesh());
+  const Vector<double> radii = disc.Mesh.VertexPositions().rowwise().norm();
+  const double k = (isZeroAtRim ? 5.520078110286311 : 7.015586669815619) / radii.maxCoeff();
+  const Vector<double> mode = radii.unaryExpr([k](double r) { return std::cyl_bessel_j(0.0, k * r); });
+  ScaleFilterOptions options = OptionsOf(order);
+  if (isZeroAtRim)
+  {
+    options.Fixed = BoundaryVertices(disc.Mesh);
+  }
+  ScaleFilter filter(disc, options);
+  const Vector<double> weighed = filter.Areas().cwiseProduct(mode);
+  const double wavelength = 0.8 * radii.maxCoeff();
+  return std::abs(filter.Split(mode, wavelength, Tight).Below.dot(weighed) / mode.dot(weighed) -
+    AmplitudeBelow(wavelength, 2.0 * Pi / k, order));
+}
+
+TEST(ScaleFilter, AmplitudesOfBesselFunctionsOnADiscConvergeWithOrderTwo)
+{
+  for (const bool isZeroAtRim : { false, true })
+  {
+    for (const int order : { 1, 2 })
+    {
+      const double coarse = ErrorOnDisc(20, isZeroAtRim, order), fine = ErrorOnDisc(40, isZeroAtRim, order);
+      EXPECT_GT(coarse / fine, 3.3) << isZeroAtRim << order;
+      EXPECT_LT(coarse / fine, 4.7) << isZeroAtRim << order;
+      EXPECT_LT(fine, 2e-3) << isZeroAtRim << order;
+    }
+  }
+}
+
+TEST(ScaleFilter, ModesOfAFlatCylinderKeepTheirAmplitude)
+{
+  const FlatCylinder cylinder(24, 16);
+  const FramedMesh surface(cylinder.Shape().Mesh());
+  for (const bool isZeroAtEnds : { false, true })
+  {
+    ScaleFilterOptions options = OptionsOf(1);
+    options.Fixed = isZeroAtEnds ? BoundaryVertices(surface.Mesh) : std::vector<int>();
+    for (options.Order = 1; options.Order <= 2; ++options.Order)
+    {
+      ScaleFilter filter(surface, options);
+      const Vector<double> mode = cylinder.Mode(2, 3, isZeroAtEnds);
+      const double kept = AmplitudeBelow(1.7, cylinder.LengthOf(2, 3), options.Order);
+      EXPECT_LT((filter.Split(mode, 1.7, Tight).Below - kept * mode).cwiseAbs().maxCoeff(), 1e-10);
+    }
+  }
+}
+
+/// The harmonic function of fixed values stays, and so do these: what is filtered is the rest, which is zero there.
+TEST(ScaleFilter, FixedValuesStayAndTheRestIsThatOfADirectSolution)
+{
+  for (const NamedSurface& named : SurfacesToCompare())
+  {
+    const FramedMesh surface(named.Shape.Mesh());
+    const int size = surface.Mesh.NumberOfVertices();
+    ScaleFilterOptions options;
+    std::vector<int> inner;
+    for (int v = 0; v < size; ++v)
+    {
+      (v % 7 == 3 ? options.Fixed : inner).push_back(v);
+    }
+    const Eigen::MatrixXd L = Eigen::MatrixXd(CotangentLaplacian(surface.Mesh, SerialContext()));
+    const Eigen::MatrixXd ofInner = L(inner, inner);
+    const Vector<double> M = Star0(surface.Mesh)(inner);
+    const Vector<double> b = Noise(size).array() + 3.0;
+    const Vector<double> harmonic = ofInner.ldlt().solve(-L(inner, options.Fixed) * b(options.Fixed));
+    const double wavelength = 6.0 * std::sqrt(M.mean());
+    for (options.Order = 1; options.Order <= 2; ++options.Order)
+    {
+      SCOPED_TRACE(named.Name + ", order " + std::to_string(options.Order));
+      const Vector<double> exact = harmonic +
+        FilteredDirectly(ofInner.sparseView(), M, Vector<double>(b(inner)) - harmonic, wavelength, options.Order);
+      for (const SolverKind kind : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
+      {
+        options.Solver.Kind = kind;
+        ScaleFilter filter(surface, options);
+        const Vector<double> below = filter.Split(b, wavelength, Tight).Below;
+        EXPECT_LT((below(inner) - exact).norm(), 1e-7 * exact.norm());
+        EXPECT_EQ(below(options.Fixed), b(options.Fixed));
+      }
+    }
+  }
+}
+
+TEST(ScaleFilter, NothingIsAboveWhereAllIsFixed)
+{
+  const FramedMesh surface(Disk(2).Mesh());
+  const Vector<double> b = Noise(surface.Mesh.NumberOfVertices());
+  ScaleFilterOptions options;
+  for (int v = 0; v < b.size(); ++v)
+  {
+    options.Fixed.push_back(v);
+  }
+  EXPECT_EQ(ScaleFilter(surface, options).Split(b, 1.0).Below, b);
+}
+
+/// A sphere that is stretched three hundred times: its triangles are thin.
+TEST(ScaleFilter, AFactorTakesOverWhereCyclesDoNotConverge)
+{
+  const FramedMesh surface(Needle(4, 300.0).Mesh());
+  const double wavelength = 0.1 * SizesOf(surface.Mesh).Diagonal();
+  ScaleFilter byCycles(surface, OptionsOf(2, SolverKind::ConjugateGradients));
+  ScaleFilter byFactor(surface, OptionsOf(2, SolverKind::Cholesky));
+  for (const unsigned seed : { 21U, 22U })
+  {
+    const Vector<double> b = Noise(surface.Mesh.NumberOfVertices(), seed);
+    const Vector<double> below = byCycles.Split(b, wavelength, { 1e-9, 100 }).Below;
+    EXPECT_TRUE(byCycles.Report().Converged);
+    ASSERT_EQ(byCycles.Report().Warnings.size(), 1u);
+    EXPECT_NE(byCycles.Report().Warnings[0].find("a factor of the system took over"), std::string::npos);
+    const Vector<double> expected = byFactor.Split(b, wavelength, { 1e-9, 100 }).Below;
+    EXPECT_LT(NormIn(byCycles.Areas(), below - expected), 1e-6 * NormIn(byCycles.Areas(), b));
+  }
+  // Who allows few iterations gets no factor after them.
+  ScaleFilter fresh(surface, OptionsOf(2, SolverKind::ConjugateGradients));
+  fresh.Split(Noise(surface.Mesh.NumberOfVertices()), wavelength, { 1e-9, 10 });
+  EXPECT_FALSE(fresh.Report().Converged);
+}
+
 TEST(ScaleFilter, ConstantsAndMeansStayOnEachComponent)
 {
   for (const NamedSurface& named : SurfacesToDecimate())
@@ -516,6 +642,14 @@ TEST(ScaleFilter, WrongNumbersAreRefusedByName)
   b[17] = std::nan("");
   EXPECT_NE(MessageOf([&] { filter.Split(b, 1.0); }).find("vertex 17"), std::string::npos);
   EXPECT_NE(MessageOf([&] { ScaleFilter(surface, OptionsOf(3)); }).find("order 3"), std::string::npos);
+  for (const std::vector<int>& fixed : { std::vector<int>{ 2, 1 }, { -1 }, { size } })
+  {
+    ScaleFilterOptions options;
+    options.Fixed = fixed;
+    EXPECT_NE(MessageOf([&] { ScaleFilter(surface, options); }).find("fixed vertex"), std::string::npos);
+    options.Quantity = ScaledQuantity::Vectors;
+    EXPECT_NE(MessageOf([&] { ScaleFilter(surface, options); }).find("vectors have fixed"), std::string::npos);
+  }
 }
 
 TEST(ScaleFilter, StopsWhereTheCallerAsksAndRecovers)
