@@ -32,6 +32,8 @@
  * | MinimumCurvature | 1          | at most MaximumCurvature                                                      |
  * | Confidence       | 1          | how clear the directions are, in [0, 1)                                       |
  *
+ * The field data have PositiveSide, the side that counts as outside; see vtkHodgeDecomposition.
+ *
  * Directions have no sign by nature. It is chosen so that they continue from cell to cell wherever possible, but for cuts between
  * the places where curvatures agree. Without a sign, streamlines and textures along them would end everywhere.
  *

@@ -30,18 +30,18 @@
  *
  * Port 0: of the type of the input, with all its arrays, and (lengths are in the unit of the points times LengthScale):
  *
- * | array               | of         | type, components | meaning                                                                    |
- * | ------------------- | ---------- | ---------------- | -------------------------------------------------------------------------- |
- * | Distance            | points     | double, 1        | from the nearest source; negative inside (SetSigned); NaN where no path leads, or where it is longer than MaximumDistance; active scalars |
- * | NearestSource       | points     | int, 1           | its number, so that points with one number are its Voronoi cell; -1 where Distance is NaN |
- * | DirectionFromSource | points     | double, 3        | unit, tangential: the direction in which the shortest path arrives; zero at sources, and where Distance is NaN |
- * | SourcesTaken        | field data | double, 1        | the number of sources                                                      |
- * | SourcesTooFar       | field data | double, 1        | points, and segments of lines, that were left out                          |
- * | PointsWithoutSource | field data | double, 1        | points of the surface where Distance is NaN                                |
- * | LargestDistance     | field data | double, 1        | without its sign                                                           |
- * | DistanceIsSigned    | field data | double, 1        | 1 where distances inside are negative                                      |
- * | PositiveSide        | field data | string, 1        | see vtkHodgeDecomposition; from there, lines have their inside to the left |
- * | CellsWithoutData    | field data | double, 1        | cells that took no part, where an array says so                            |
+ * | array               | of         | components | type   | meaning |
+ * | ------------------- | ---------- | ---------- | ------ | ------- |
+ * | Distance            | points     | 1          | double | from the nearest source; negative inside (SetSigned); NaN where no path leads, or where it is longer than MaximumDistance; active scalars |
+ * | NearestSource       | points     | 1          | int    | its number, so that points with one number are its Voronoi cell; -1 where Distance is NaN |
+ * | DirectionFromSource | points     | 3          | double | unit, tangential: the direction in which the shortest path arrives; zero at sources, and where Distance is NaN |
+ * | SourcesTaken        | field data | 1          | double | the number of sources |
+ * | SourcesTooFar       | field data | 1          | double | points, and segments of lines, that were left out |
+ * | PointsWithoutSource | field data | 1          | double | points of the surface where Distance is NaN |
+ * | LargestDistance     | field data | 1          | double | without its sign |
+ * | DistanceIsSigned    | field data | 1          | double | 1 where distances inside are negative |
+ * | PositiveSide        | field data | 1          | string | see vtkHodgeDecomposition; from there, lines have their inside to the left |
+ * | CellsWithoutData    | field data | 1          | double | cells that took no part, where an array says so |
  *
  * Sources are numbered in this order: points of a mask that are no region; points of port 1; Point; lines and outlines of port 1; the region; the
  * boundary; sharp edges. The last three have a number each, whether they are there or not.

@@ -8,6 +8,7 @@
 #include "vtkHodgeDecomposition.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkSurfaceDistance.h"
 
 #include "SolverTools.h"
 #include "TestTools.h"
@@ -341,6 +342,17 @@ void RunOthers()
   vtkNew<vtkParallelTransport> transport;
   transport->SetNumberOfCircles(4);
   RunFilter(transport, sphere);
+  const auto withLand = Sphere(2);
+  withLand->GetCellData()->AddArray(Zeros("Land", withLand->GetNumberOfCells(), 1));
+  withLand->GetCellData()->GetArray("Land")->SetComponent(7, 0, std::numeric_limits<double>::quiet_NaN());
+  vtkNew<vtkLineSource> targets;
+  targets->SetPoint1(0.0, 0.8, 0.6);
+  targets->SetPoint2(0.6, 0.8, 0.0);
+  vtkNew<vtkSurfaceDistance> distance;
+  distance->SetInputArrayToProcess(1, 0, 0, OnCells, "Land");
+  distance->AddTargetsConnection(targets->GetOutputPort());
+  distance->SetNumberOfLevels(4);
+  RunFilter(distance, withLand);
   Surface withTurnedFace = Icosphere(2);
   std::swap(withTurnedFace.F(5, 0), withTurnedFace.F(5, 1));
   RunFilter(vtkNew<vtkPrincipalDirections>(), PolyDataOf(withTurnedFace));
@@ -350,6 +362,7 @@ void RunOthers()
   for (const int kind : { Solver::PowerField, Solver::PointPowerField })
   {
     const auto field = RunSolver(PolyDataOf(IrregularSphere(2, 7)), kind);
+    field->GetFieldData()->RemoveArray("PositiveSide"); // so that angles write it
     RunFilter(vtkNew<vtkFieldAngles>(), field);
     RunFilter(vtkNew<vtkFieldLines>(), field);
     RunFilter(vtkNew<vtkFieldGlyphs>(), field);

@@ -47,6 +47,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkHarmonicFieldSolver", 0, Prescribed, Both, 1 },
     { "vtkHarmonicFieldSolver", 0, SingularityIndex, Both, 1 },
     { "vtkHarmonicFieldSolver", 0, HarmonicBasisPrefix, Cells, 3, 1, AnyNumber },
+    { "vtkHarmonicFieldSolver", 0, PositiveSide, Field, 1 },
     { "vtkHarmonicFieldSolver", 0, NumberOfDirections, Field, 1 },
     { "vtkHarmonicFieldSolver", 0, ArrayNames::Solver, Field, 1 },
     { "vtkHarmonicFieldSolver", 0, Followed, Field, 1 },
@@ -152,6 +153,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkPrincipalDirections", 0, MaximumCurvature, Both, 1 },
     { "vtkPrincipalDirections", 0, MinimumCurvature, Both, 1 },
     { "vtkPrincipalDirections", 0, Confidence, Both, 1 },
+    { "vtkPrincipalDirections", 0, PositiveSide, Field, 1 },
 
     // drawings
     { "vtkFieldAngles", 0, "Angle", Cells, 1 },
@@ -188,6 +190,12 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkFieldQuads", 0, "EulerCharacteristic", Field, 1 },
     { "vtkFieldQuads", 0, "RefinedTriangles", Field, 1 },
     { "vtkFieldQuads", 0, "SplitTriangles", Field, 1 },
+    { "vtkFieldQuads", 0, "EdgesAgainstField", Field, 1 },
+    { "vtkFieldQuads", 0, "DistanceFromQuads", Field, 1 },
+    { "vtkFieldQuads", 0, "DistanceFromSurface", Field, 1 },
+    { "vtkFieldQuads", 0, "FarthestPlace", Field, 1 },
+    { "vtkFieldQuads", 0, "AreaShares", Field, 1 },
+    { "vtkFieldQuads", 0, "RatioOfSizes", Field, 1 },
     { "vtkFieldQuads", 1, TextureCoordinates, Points, 2 },
     { "vtkFieldQuads", 2, "Irregular", Points, 1 },
     { "vtkFieldQuads", 2, "SignColor", Points, 3 },
