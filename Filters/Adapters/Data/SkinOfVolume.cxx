@@ -1,5 +1,6 @@
 #include "Adapters/Data/SkinOfVolume.h"
 
+#include "Adapters/Data/NumberedCells.h"
 #include "Adapters/Data/ShortArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -138,7 +139,7 @@ vtkSmartPointer<vtkDataSet> SkinOfVolume(vtkDataSet* dataset)
   if (vtkUnstructuredGrid::SafeDownCast(dataset))
   {
     vtkNew<vtkAppendFilter> grid;
-    grid->SetInputData(result);
+    grid->SetInputData(WithNumberedCells(result)); // a curve may have one point
     grid->Update();
     result = grid->GetOutput();
   }
