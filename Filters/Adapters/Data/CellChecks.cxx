@@ -186,8 +186,10 @@ private:
       if (least[type] > 0)
       {
         const vtkIdType size = grid->GetCells()->GetCellSize(cell);
-        const vtkIdType needed = std::max(least[type], this->SizeOfOrder(type, cell, size));
-        if (size < needed || (isVolume && type == VTK_PIXEL && size > needed))
+        const vtkIdType ofOrder = this->SizeOfOrder(type, cell, size);
+        const vtkIdType needed = std::max(least[type], ofOrder);
+        const bool isExact = isVolume && (type == VTK_PIXEL || ofOrder > 0); // else VTK takes the skin of another order
+        if (size < needed || (isExact && size > needed))
         {
           throw InvalidInput(Cell(cell) + " of " + this->Whose + " has " + std::to_string(size) +
             " points, and its type needs " + std::to_string(needed) + "; repair the source of " + this->Whose);
