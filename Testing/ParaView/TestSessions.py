@@ -181,7 +181,7 @@ class Sessions(unittest.TestCase):
         field = simple.FindSource("Field")
         values = {"NumberOfDirections": 2, "BoundaryWeight": 3, "BoundaryRotation": 20, "LineDistance": 0.05,
                   "SphereRadius": 0.03}
-        self.assertEqual({name: field.SMProxy.GetProperty(name).GetElement(0) for name in values}, values)
+        self.assertEqual({name: field.GetProperty(name).SMProperty.GetElement(0) for name in values}, values)
         solver = simple.HarmonicFieldSolver(
             Input=simple.Sphere(EndPhi=90, PhiResolution=40, ThetaResolution=40), NumberOfDirections=2, BoundaryWeight=3,
             BoundaryRotation=20)
