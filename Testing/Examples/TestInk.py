@@ -15,8 +15,8 @@ from directionalmultigrid import draw_as_ink, smooth_field, update
 from directionalmultigrid.drawing import WITHOUT_LIGHT
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldGlyphs, vtkFieldLines
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkTessellatedBoxSource
+from vtkmodules.vtkFiltersCore import vtkReverseSense
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkDataSetMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # draws
@@ -94,10 +94,11 @@ class Ink(unittest.TestCase):
     def test_of_a_thin_wall_shows_from_its_own_side_alone(self):
         """Lines of the upper sheet are red here, and those of the lower one are white, as the wall is."""
         for thickness in (0, 1e-4, 1e-3):
-            wall = vtkAppendPolyData()
-            wall.AddInputData(plane(0))
-            wall.AddInputData(plane(thickness, clockwise=False))
-            field = smooth_field(update(wall), n=4, BoundaryWeight=1)
+            wall = vtkTessellatedBoxSource()  # a sheet that is open has the same side on both of its faces
+            wall.SetBounds(-0.5, 0.5, -0.5, 0.5, 0, thickness)
+            wall.SetLevel(20)
+            wall.QuadsOn()
+            field = smooth_field(update(wall), n=4)
             for drawing in drawings(field):
                 upper = vtk_to_numpy(drawing.GetPointData().GetNormals())[:, 2] > 0
                 colours = numpy_to_vtk(np.where(upper[:, None], (255, 0, 0), (255, 255, 255)).astype(np.uint8), deep=True)
