@@ -103,7 +103,7 @@ public:
   void SetCentres(std::vector<std::pair<long long, Vector3>>&& centres) { this->Centres = std::move(centres); }
 
   /// Whether a face was turned to be seen from the positive side: its corners are the second, the first and the third one of the triangle before.
-  /// So its frame (FaceFrames) has the first axis reversed, and the second one as it was.
+  /// The frame of such a face (FaceFrames) has the first axis reversed, and the second one as it was.
   bool IsTurned(int face) const { return !this->TurnedFaces.empty() && this->TurnedFaces[face] != 0; }
   /// For all faces; empty where none is turned.
   const std::vector<char>& Turned() const { return this->TurnedFaces; }

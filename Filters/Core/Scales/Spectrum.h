@@ -17,7 +17,7 @@ struct Spectrum
 {
   Vector<double> Wavelengths; ///< of the rows, ascending: the geometric means of the bounds
   Vector<double> Wavenumbers; ///< 2 pi over these
-  /// Of the rows. The first one has all shorter waves as well, and the last one all longer ones, so that they sum to Total.
+  /// Energies are those of the rows. The first row has all shorter waves as well, and the last one all longer ones; they sum to Total.
   Vector<double> Energies;
   Vector<double> PerOctave;     ///< energies between the bounds, over the octaves between them
   Vector<double> PerWavenumber; ///< the same over the wavenumbers between them
