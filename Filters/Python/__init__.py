@@ -3,6 +3,7 @@
 smooth_field()                        a field by one call, errors as exceptions
 hodge()                               stream function, potential and parts of a flow
 quads()                               a mesh of quads along a cross field
+scale_filter(), spectrum()            functions and flows below and above a wavelength, and their energy by wavelength
 transport()                           vectors along shortest paths, and polar coordinates around a point
 draw_as_ink()                         shows lines and glyphs that lie in a surface, from both sides of it
 update()                              runs any VTK filter, errors as exceptions
@@ -25,10 +26,11 @@ if TYPE_CHECKING:
     from .flows import hodge
     from .geodesics import transport
     from .meshes import quads
+    from .scales import scale_filter, spectrum
 
 __all__ = [
-    "FieldError", "FieldWarning", "draw_as_ink", "hodge", "quads", "smooth_field", "transport", "update", "write_raw_field", "write_rosy",
-    "write_sharp", "vtkFiltersDirectionalFields",
+    "FieldError", "FieldWarning", "draw_as_ink", "hodge", "quads", "scale_filter", "smooth_field", "spectrum", "transport", "update",
+    "write_raw_field", "write_rosy", "write_sharp", "vtkFiltersDirectionalFields",
 ]
 
 
@@ -37,7 +39,8 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    modules = {"draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "transport": "geodesics"}
+    modules = {"draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "scale_filter": "scales", "spectrum": "scales",
+               "transport": "geodesics"}
     module = "export" if name.startswith("write_") else modules.get(name, "fields")
     return getattr(import_module("." + module, __name__), name)
 

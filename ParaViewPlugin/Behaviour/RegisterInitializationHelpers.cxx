@@ -8,6 +8,7 @@
 #include "vtkSMCyclicColorsInitializationHelper.h"
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
+#include "vtkSMSpectrumChartInitializationHelper.h"
 
 namespace
 {
@@ -29,5 +30,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMCyclicColorsInitializationHelper>(interpreter, "vtkSMCyclicColorsInitializationHelper");
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
+      Register<vtkSMSpectrumChartInitializationHelper>(interpreter, "vtkSMSpectrumChartInitializationHelper");
     });
 }

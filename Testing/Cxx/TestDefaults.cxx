@@ -1,6 +1,7 @@
 #include "Geodesics/ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
 #include "PropertiesOfSolver.h"
+#include "Scales/ScaleFilter.h"
 #include "StructurePreserving/Decimation/HierarchyOptions.h"
 
 #include "vtkDirectionalProlongation.h"
@@ -8,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkScaleFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -54,4 +56,7 @@ TEST(Defaults, OfOtherFiltersAreThoseOfTheCore)
   EXPECT_EQ(prolongation->GetStrict(), PreparationOptions().Strict);
   EXPECT_EQ(vtkNew<vtkPrincipalDirections>()->GetScale(), FeatureOptions().CurvatureScale);
   EXPECT_EQ(vtkNew<vtkParallelTransport>()->GetTimeStep(), TransportOptions().TimeStep);
+  vtkNew<vtkScaleFilter> scales;
+  EXPECT_EQ(scales->GetOrder(), ScaleFilterOptions().Order);
+  EXPECT_EQ(scales->GetLengthScale(), ScaleFilterOptions().LengthScale);
 }

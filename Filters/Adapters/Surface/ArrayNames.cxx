@@ -8,6 +8,16 @@ std::string ArrayNames::Direction(int k)
   return "Direction" + std::to_string(k);
 }
 
+std::string ArrayNames::BelowWavelength(const std::string& name, const std::string& wavelength)
+{
+  return name + " below " + wavelength;
+}
+
+std::string ArrayNames::AboveWavelength(const std::string& name, const std::string& wavelength)
+{
+  return name + " above " + wavelength;
+}
+
 std::string ArrayNames::HarmonicBasis(int k)
 {
   return HarmonicBasisPrefix + std::to_string(k);

@@ -52,23 +52,34 @@ void Erase(vtkDataArray* array, const std::vector<vtkIdType>& tuples)
 }
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what)
+  : HiddenGaps(dataset, { { vectors.Arrays(), vectors.AreOnPoints(), what } })
 {
-  const std::vector<vtkDataArray*> arrays = vectors.Arrays();
-  const std::vector<char> isNaN =
-    TuplesWith([](double x) { return std::isnan(x); }, arrays, vectors.NumberOfTuples(dataset));
-  this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
-  const std::vector<char> isHidden = vectors.AreOnPoints() ? CellsWith(isNaN, dataset) : isNaN;
+}
+
+HiddenGaps::HiddenGaps(vtkDataSet* dataset, const std::vector<ArraysWithGaps>& all)
+{
+  std::vector<char> isHidden(dataset->GetNumberOfCells(), 0);
+  for (const ArraysWithGaps& each : all)
+  {
+    const vtkIdType tuples = each.AreOnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells();
+    const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, each.Arrays, tuples);
+    const std::string suspicion = SuspectedFillValues(each.Arrays, isNaN, each.What);
+    this->Suspicion = this->Suspicion.empty() ? suspicion : this->Suspicion;
+    const std::vector<char> isCell = each.AreOnPoints ? CellsWith(isNaN, dataset) : isNaN;
+    std::transform(isCell.begin(), isCell.end(), isHidden.begin(), isHidden.begin(),
+      [](char a, char b) { return static_cast<char>(a != 0 || b != 0); });
+    if (!isHidden.empty() && std::find(isHidden.begin(), isHidden.end(), 0) == isHidden.end())
+    {
+      throw InvalidInput("the " + each.What +
+        " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
+    }
+  }
   for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
   {
     if (isHidden[cell])
     {
       this->Cells.push_back(cell);
     }
-  }
-  if (!this->Cells.empty() && this->Cells.size() == isHidden.size())
-  {
-    throw InvalidInput(
-      "the " + what + " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
   }
   this->Result = this->Cells.empty() ? dataset : WithHidden(dataset, isHidden).Get();
 }
