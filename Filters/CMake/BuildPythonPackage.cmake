@@ -4,7 +4,7 @@ set(package_folder "${DMG_PYTHON_DESTINATION}/directionalmultigrid")
 set(metadata_folder "${DMG_PYTHON_DESTINATION}/directionalmultigrid-${PROJECT_VERSION}.dist-info")
 set(package_sources "${PROJECT_SOURCE_DIR}/Filters/Python")
 
-foreach (file IN ITEMS __init__.py distances.py drawing.py export.py fields.py flows.py geodesics.py meshes.py py.typed pyvista_accessor.py)
+foreach (file IN ITEMS __init__.py distances.py drawing.py export.py fields.py flows.py geodesics.py meshes.py py.typed pyvista_accessor.py scales.py)
   configure_file("${package_sources}/${file}" "${PROJECT_BINARY_DIR}/${package_folder}/${file}" COPYONLY)
   install(FILES "${package_sources}/${file}" DESTINATION "${package_folder}" COMPONENT python)
 endforeach ()

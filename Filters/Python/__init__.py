@@ -3,6 +3,7 @@
 smooth_field()                        a field by one call, errors as exceptions
 hodge()                               stream function, potential and parts of a flow
 quads()                               a mesh of quads along a cross field
+scale_filter(), spectrum()            functions and flows below and above a wavelength, and their energy by wavelength
 transport()                           vectors along shortest paths, and polar coordinates around a point
 distance(), shortest_path()           distances along a surface from anything, and shortest paths
 draw_as_ink()                         shows lines and glyphs that lie in a surface, from both sides of it
@@ -27,9 +28,11 @@ if TYPE_CHECKING:
     from .flows import hodge
     from .geodesics import transport
     from .meshes import quads
+    from .scales import scale_filter, spectrum
 
 __all__ = [
-    "FieldError", "FieldWarning", "distance", "draw_as_ink", "hodge", "quads", "shortest_path", "smooth_field", "transport", "update",
+    "FieldError", "FieldWarning", "distance", "draw_as_ink", "hodge", "quads", "scale_filter", "shortest_path", "smooth_field", "spectrum",
+    "transport", "update",
     "write_raw_field", "write_rosy", "write_sharp", "vtkFiltersDirectionalFields",
 ]
 
@@ -39,7 +42,8 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    modules = {"distance": "distances", "draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "shortest_path": "distances",
+    modules = {"distance": "distances", "draw_as_ink": "drawing", "hodge": "flows", "quads": "meshes", "scale_filter": "scales",
+               "shortest_path": "distances", "spectrum": "scales",
                "transport": "geodesics"}
     module = "export" if name.startswith("write_") else modules.get(name, "fields")
     return getattr(import_module("." + module, __name__), name)

@@ -12,6 +12,7 @@ from .export import write_raw_field, write_rosy, write_sharp
 from .fields import DataObjects, Property, _set_properties, smooth_field, update
 from .flows import hodge
 from .geodesics import transport
+from .scales import scale_filter, spectrum
 from .vtkFiltersDirectionalFields import vtkFieldLines
 
 
@@ -33,6 +34,14 @@ class DirectionalAccessor:
     def hodge(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with the parts of a flow; see directionalmultigrid.hodge."""
         return hodge(self._mesh, vectors, **arguments)
+
+    def scale_filter(self, arrays: Any = None, wavelengths: Any = None, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with arrays below and above wavelengths; see directionalmultigrid.scale_filter."""
+        return scale_filter(self._mesh, arrays, wavelengths, **arguments)
+
+    def spectrum(self, arrays: Any = None, **arguments: Any) -> pyvista.Table:
+        """A table of the energy of arrays by wavelength; see directionalmultigrid.spectrum."""
+        return pyvista.wrap(spectrum(self._mesh, arrays, **arguments))
 
     def transport(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with vectors carried along shortest paths; see directionalmultigrid.transport."""

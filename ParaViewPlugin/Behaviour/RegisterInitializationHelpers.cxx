@@ -10,6 +10,7 @@
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
 #include "vtkSMHiddenDrawingsInitializationHelper.h"
 #include "vtkSMSequentialColorsInitializationHelper.h"
+#include "vtkSMSpectrumChartInitializationHelper.h"
 
 namespace
 {
@@ -33,5 +34,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
       Register<vtkSMSequentialColorsInitializationHelper>(interpreter, "vtkSMSequentialColorsInitializationHelper");
       Register<vtkSMHiddenDrawingsInitializationHelper>(interpreter, "vtkSMHiddenDrawingsInitializationHelper");
+      Register<vtkSMSpectrumChartInitializationHelper>(interpreter, "vtkSMSpectrumChartInitializationHelper");
     });
 }

@@ -1,15 +1,12 @@
 #include "vtkSMConvergenceChartInitializationHelper.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkNew.h"
+#include "ChartsOfFilter.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMProxyManager.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
-#include "vtkWeakPointer.h"
 
 #include <string>
 
@@ -73,33 +70,11 @@ void LabelAxes(vtkSMProxy* view, vtkIdType iterations)
   view->UpdateVTKObjects();
 }
 
-// Views use the representations that they show.
-void AfterUpdate(vtkObject* caller, unsigned long, void*, void*)
+void LabelChart(vtkSMSourceProxy* filter, vtkSMProxy*, vtkSMViewProxy* chart)
 {
-  auto* const representation = vtkSMProxy::SafeDownCast(caller);
-  auto* const filter = vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input").GetAsProxy());
-  const vtkIdType rows = filter ? filter->GetDataInformation(0)->GetNumberOfRows() : 0; // the first one is iteration 0
-  for (unsigned int index = 0; rows > 0 && index < representation->GetNumberOfConsumers(); ++index)
+  if (const vtkIdType rows = filter->GetDataInformation(0)->GetNumberOfRows(); rows > 0)
   {
-    auto* const view = vtkSMViewProxy::SafeDownCast(representation->GetConsumerProxy(index));
-    if (view && view->GetProperty("BottomAxisLabels"))
-    {
-      LabelAxes(view, rows - 1);
-    }
-  }
-}
-
-// Waits for representations of the filter. There is none yet when it is updated for the first time.
-void AfterRegistration(vtkObject*, unsigned long, void* data, void* registered)
-{
-  const auto& filter = *static_cast<vtkWeakPointer<vtkSMProxy>*>(data);
-  vtkSMProxy* const proxy = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered)->Proxy;
-  if (filter && proxy && proxy->IsA("vtkSMRepresentationProxy") &&
-    vtkSMPropertyHelper(proxy, "Input", true).GetAsProxy() == filter)
-  {
-    vtkNew<vtkCallbackCommand> after;
-    after->SetCallback(AfterUpdate);
-    proxy->AddObserver(vtkCommand::UpdateDataEvent, after);
+    LabelAxes(chart, rows - 1); // the first row is iteration 0
   }
 }
 }
@@ -107,9 +82,5 @@ void AfterRegistration(vtkObject*, unsigned long, void* data, void* registered)
 //------------------------------------------------------------------------------
 void vtkSMConvergenceChartInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
 {
-  vtkNew<vtkCallbackCommand> after;
-  after->SetCallback(AfterRegistration);
-  after->SetClientData(new vtkWeakPointer<vtkSMProxy>(filter)); // the manager outlives it
-  after->SetClientDataDeleteCallback([](void* data) { delete static_cast<vtkWeakPointer<vtkSMProxy>*>(data); });
-  filter->GetSessionProxyManager()->AddObserver(vtkCommand::RegisterEvent, after);
+  AfterUpdatesOfCharts(filter, LabelChart);
 }

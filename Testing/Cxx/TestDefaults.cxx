@@ -2,6 +2,7 @@
 #include "Geodesics/ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
 #include "PropertiesOfSolver.h"
+#include "Scales/ScaleFilter.h"
 #include "StructurePreserving/Decimation/HierarchyOptions.h"
 
 #include "vtkDirectionalProlongation.h"
@@ -9,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkScaleFilter.h"
 #include "vtkSurfaceDistance.h"
 
 #include <gtest/gtest.h>
@@ -58,4 +60,7 @@ TEST(Defaults, OfOtherFiltersAreThoseOfTheCore)
   EXPECT_EQ(vtkNew<vtkParallelTransport>()->GetTimeStep(), TransportOptions().TimeStep);
   EXPECT_EQ(vtkNew<vtkSurfaceDistance>()->GetMaximumSourceDistance(), DistanceOptions().MaximumSourceDistance);
   EXPECT_EQ(vtkNew<vtkSurfaceDistance>()->GetSigned(), DistanceOptions().Signed);
+  vtkNew<vtkScaleFilter> scales;
+  EXPECT_EQ(scales->GetOrder(), ScaleFilterOptions().Order);
+  EXPECT_EQ(scales->GetLengthScale(), ScaleFilterOptions().LengthScale);
 }

@@ -24,6 +24,7 @@
 #include "vtkIntArray.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkScaleFilter.h"
 #include "vtkSurfaceDistance.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -325,7 +326,7 @@ bool HandsOn(vtkAlgorithm* filter, vtkDataObject* output, vtkPolyData* input)
 {
   const std::string name = filter->GetClassName();
   const auto arraysOf = [](vtkDataObject* data, int kind) { return data->GetAttributes(kind)->GetNumberOfArrays(); };
-  return (name == "vtkFieldAngles" || name == "vtkHodgeDecomposition") &&
+  return (name == "vtkFieldAngles" || name == "vtkHodgeDecomposition" || name == "vtkScaleFilter") &&
     output->GetNumberOfElements(vtkDataObject::CELL) == input->GetNumberOfCells() &&
     arraysOf(output, vtkDataObject::POINT) == arraysOf(input, vtkDataObject::POINT) &&
     arraysOf(output, vtkDataObject::CELL) == arraysOf(input, vtkDataObject::CELL);
@@ -590,6 +591,38 @@ void RunOtherData(Choices choose, vtkPolyData* surface, const std::filesystem::p
   }
 }
 
+/// Draws of its own: what the seeds of the corpus draw stays.
+void RunScales(Choices choose, vtkPolyData* surface)
+{
+  vtkNew<vtkScaleFilter> scales;
+  scales->SetOrder(1 + choose.Below(2));
+  scales->SetFlowKind(choose.Below(2));
+  scales->SetPartsApart(choose.OneIn(2));
+  scales->SetBoundary(choose.Below(2));
+  scales->SetCoordinates(choose.OneIn(6) ? 1 : 0);
+  scales->SetLengthScale(choose.OneIn(4) ? choose.Number() : 1.0);
+  scales->SetSolver(choose.Below(3));
+  scales->SetSpectrum(choose.OneIn(2));
+  scales->SetSpectrumRows(1 + choose.Below(4));
+  for (int k = choose.Below(3); k > 0; --k)
+  {
+    scales->AddWavelength(choose.OneIn(8) ? choose.Number() : 2.0 * choose.Unit());
+  }
+  for (const char* const name : { "Given", "Direction0", "SingularityIndex", "Values", "Weights" })
+  {
+    if (choose.OneIn(3))
+    {
+      scales->AddArray(name);
+    }
+  }
+  if (choose.OneIn(4))
+  {
+    scales->SetInputArrayToProcess(1, 0, 0, choose.Below(2), "Weights");
+    scales->SetInputArrayToProcess(2, 0, 0, choose.Below(2), "Weights");
+  }
+  Draw(choose, { scales }, surface);
+}
+
 void RunCase(unsigned long long seed, const std::filesystem::path& folder)
 {
   Choices choose(seed);
@@ -664,6 +697,7 @@ void RunCase(unsigned long long seed, const std::filesystem::path& folder)
     }
   }
   RunQuads(choose, choose.OneIn(2) ? field : input);
+  RunScales(Choices(seed + 2000000000), field);
   RunOtherData(Choices(seed + 1000000000), input, folder);
 }
 

@@ -15,6 +15,7 @@
 #include "vtkFieldSingularities.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkScaleFilter.h"
 #include "vtkSurfaceDistance.h"
 
 #include <SuiteSparse_config.h>
@@ -206,7 +207,8 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
   const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
     vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),
     vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New(),
-    vtkSmartPointer<vtkHodgeDecomposition>::New(), vtkSmartPointer<vtkParallelTransport>::New() };
+    vtkSmartPointer<vtkHodgeDecomposition>::New(), vtkSmartPointer<vtkParallelTransport>::New(),
+    vtkSmartPointer<vtkScaleFilter>::New() };
   for (const auto& drawing : drawings)
   {
     drawing->SetInputDataObject(input);

@@ -20,12 +20,12 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from directionalmultigrid import FieldError, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldQuads, vtkFieldSingularities,
-    vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkSurfaceDistance)
+    vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkScaleFilter, vtkSurfaceDistance)
 from any_surfaces import grid_of_types, points_of, polygons
 from surfaces import add, torus, values
 
 FILTERS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities,
-           vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkSurfaceDistance)
+           vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections, vtkScaleFilter, vtkSurfaceDistance)
 WITHOUT_ARRAYS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections,
                   vtkSurfaceDistance)
 SQUARE = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
@@ -228,7 +228,7 @@ class DamagedInputs(unittest.TestCase):
         cloud = vtkPolyData()
         cloud.SetPoints(points_of(SQUARE))
         self.expect_error(cloud, "the surface has no triangles or other cells of two dimensions", WITHOUT_ARRAYS)
-        self.expect_error(cloud, "the surface has no field|there is no flow|the surface has no triangles", set(FILTERS) - set(WITHOUT_ARRAYS))
+        self.expect_error(cloud, "the surface has no field|there is no flow|there is nothing to filter|the surface has no triangles", set(FILTERS) - set(WITHOUT_ARRAYS))
         self.assertEqual(update(made(vtkHarmonicFieldSolver, vtkPolyData())).GetNumberOfCells(), 0)  # a source that has nothing yet
 
     def test_values_count_for_functions_alone(self):

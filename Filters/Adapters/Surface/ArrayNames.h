@@ -75,6 +75,27 @@ inline constexpr const char* BoundaryCirculation = "BoundaryCirculation";
 inline constexpr const char* BoundaryFlux = "BoundaryFlux";
 inline constexpr const char* BoundaryStreamFunction = "BoundaryStreamFunction";
 
+// cells and points: functions and flows by scale
+std::string BelowWavelength(const std::string& name, const std::string& wavelength);
+std::string AboveWavelength(const std::string& name, const std::string& wavelength);
+
+// field data: the same; CellsWithoutFlow is of these, too
+inline constexpr const char* Wavelengths = "Wavelengths";
+inline constexpr const char* ScaledFunctions = "ScaledFunctions";
+inline constexpr const char* MeansBefore = "MeansBefore";
+inline constexpr const char* MeansAfter = "MeansAfter";
+inline constexpr const char* Iterations = "Iterations";
+
+// columns of spectra, the last ones after the name of a quantity, and their field data
+inline constexpr const char* Wavelength = "Wavelength";
+inline constexpr const char* Wavenumber = "Wavenumber";
+inline constexpr const char* PerOctave = " per octave";
+inline constexpr const char* PerWavenumber = " per wavenumber";
+inline constexpr const char* InBand = " in band";
+inline constexpr const char* AllAbove = " above";
+inline constexpr const char* Variance = " variance";
+inline constexpr const char* HarmonicVariance = " harmonic variance";
+
 // cells and edges
 inline constexpr const char* HarmonicBasisPrefix = "HarmonicBasis ";
 /// \param k from 1

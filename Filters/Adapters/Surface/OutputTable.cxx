@@ -147,6 +147,18 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkSurfaceDistance", 3, PathLength, Columns, 1 },
     { "vtkSurfaceDistance", 3, StraightLength, Columns, 1 },
 
+    // the report on scales, and their spectrum; all else is named after the arrays that are filtered, and a second
+    // filter in a row keeps what the first has written
+    { "vtkScaleFilter", 0, Wavelengths, Field, 1 },
+    { "vtkScaleFilter", 0, ScaledFunctions, Field, 1 },
+    { "vtkScaleFilter", 0, MeansBefore, Field, AnyNumber },
+    { "vtkScaleFilter", 0, MeansAfter, Field, AnyNumber },
+    { "vtkScaleFilter", 0, Iterations, Field, AnyNumber },
+    { "vtkScaleFilter", 0, Converged, Field, 1 },
+    { "vtkScaleFilter", 0, "CellsWithoutData", Field, 1 },
+    { "vtkScaleFilter", 1, Wavelength, Columns, 1 },
+    { "vtkScaleFilter", 1, Wavenumber, Columns, 1 },
+
     // principal curvatures
     { "vtkPrincipalDirections", 0, MaximumDirection, Both, 3 },
     { "vtkPrincipalDirections", 0, MinimumDirection, Both, 3 },

@@ -151,11 +151,16 @@ ChosenArray FindArray(
     ", is not among its point or cell arrays; choose one of those, or none");
 }
 
+int ComponentsOf(const ChosenArray& choice, vtkDataSet* dataset)
+{
+  vtkDataArray* const array = vtkDataArray::SafeDownCast(Find(choice, dataset).Array);
+  return array ? array->GetNumberOfComponents() : 0;
+}
+
 ChosenArray FindVectors(
   const ChosenArray& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose)
 {
-  vtkDataArray* const array = vtkDataArray::SafeDownCast(Find(choice, dataset).Array);
-  return FindArray(choice, dataset, array && array->GetNumberOfComponents() == 2 ? 2 : 3, what, whose);
+  return FindArray(choice, dataset, ComponentsOf(choice, dataset) == 2 ? 2 : 3, what, whose);
 }
 
 std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions)

@@ -70,6 +70,9 @@ bool HasArray(const ChosenArray& choice, vtkDataSet* dataset);
 ChosenArray FindArray(
   const ChosenArray& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose);
 
+/// The number of components of the array of numbers that was chosen; 0 where there is none.
+int ComponentsOf(const ChosenArray& choice, vtkDataSet* dataset);
+
 /// FindArray of vectors of 3 numbers, or of 2 (see ProblemOfPlaneVectors).
 ChosenArray FindVectors(
   const ChosenArray& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose);

@@ -52,29 +52,35 @@ void Erase(vtkDataArray* array, const std::vector<vtkIdType>& tuples)
 }
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const VectorArrays& vectors, const std::string& what)
-  : HiddenGaps(dataset, vectors.Arrays(), vectors.AreOnPoints(), what)
+  : HiddenGaps(dataset, std::vector<ArraysWithGaps>{ { vectors.Arrays(), vectors.AreOnPoints(), what } }, what)
 {
 }
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const ChosenArray& numbers, const std::string& what)
-  : HiddenGaps(dataset, std::vector<vtkDataArray*>{ numbers.Array }, numbers.OnPoints(), what)
+  : HiddenGaps(dataset, std::vector<ArraysWithGaps>{ { { numbers.Array }, numbers.OnPoints(), what } }, what)
 {
 }
 
-HiddenGaps::HiddenGaps(
-  vtkDataSet* dataset, const std::vector<vtkDataArray*>& arrays, bool areOnPoints, const std::string& what)
+HiddenGaps::HiddenGaps(vtkDataSet* dataset, const std::vector<ArraysWithGaps>& all, const std::string& what)
   : What(what)
 {
-  const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, arrays,
-    areOnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells());
-  this->Suspicion = SuspectedFillValues(arrays, isNaN, what);
-  const std::vector<char> isHidden = areOnPoints ? CellsWith(isNaN, dataset) : isNaN;
-  this->Hide(dataset, isHidden);
-  if (!this->Cells.empty() && this->Cells.size() == isHidden.size())
+  std::vector<char> isHidden(dataset->GetNumberOfCells(), 0);
+  for (const ArraysWithGaps& each : all)
   {
-    throw InvalidInput(
-      "the " + what + " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
+    const vtkIdType tuples = each.AreOnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells();
+    const std::vector<char> isNaN = TuplesWith([](double x) { return std::isnan(x); }, each.Arrays, tuples);
+    const std::string suspicion = SuspectedFillValues(each.Arrays, isNaN, each.What);
+    this->Suspicion = this->Suspicion.empty() ? suspicion : this->Suspicion;
+    const std::vector<char> isCell = each.AreOnPoints ? CellsWith(isNaN, dataset) : isNaN;
+    std::transform(isCell.begin(), isCell.end(), isHidden.begin(), isHidden.begin(),
+      [](char a, char b) { return static_cast<char>(a != 0 || b != 0); });
+    if (!isHidden.empty() && std::find(isHidden.begin(), isHidden.end(), 0) == isHidden.end())
+    {
+      throw InvalidInput("the " + each.What +
+        " is NaN at each cell or at one of its points, so nothing is left; choose another array or time");
+    }
   }
+  this->Hide(dataset, isHidden);
 }
 
 HiddenGaps::HiddenGaps(vtkDataSet* dataset, const std::vector<char>& isHidden)

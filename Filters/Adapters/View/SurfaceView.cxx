@@ -137,6 +137,24 @@ VectorsOnSurface SurfaceView::Vectors(const VectorArrays& arrays) const
   return vectors;
 }
 
+Vector<double> SurfaceView::Numbers(const ChosenArray& chosen) const
+{
+  const TriangleMesh& mesh = this->Mesh();
+  const SurfaceRelation& relation = this->Relation();
+  const bool atVertices = chosen.OnPoints();
+  const std::vector<vtkIdType> ofCorners =
+    atVertices ? PointsOfCorners(this->Data(), mesh, relation) : std::vector<vtkIdType>();
+  const auto at = [&chosen](vtkIdType tuple, int) { return Vector3(chosen.Array->GetComponent(tuple, 0), 0.0, 0.0); };
+  Vector<double> numbers(atVertices ? mesh.NumberOfVertices() : mesh.NumberOfFaces());
+  for (int element = 0; element < numbers.size(); ++element)
+  {
+    numbers[element] = ofCorners.empty()
+      ? at(atVertices ? relation.PointOf(element) : relation.CellOf(element), element)[0]
+      : MeanOfPoints(mesh, ofCorners, element, at)[0];
+  }
+  return numbers;
+}
+
 void SurfaceView::StartOutput(vtkDataSet* output, const std::string& filter)
 {
   this->OutputData = output;

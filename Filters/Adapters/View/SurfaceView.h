@@ -75,6 +75,9 @@ public:
   /// \throw WrongChoice vectors of 2 numbers, and the surface is not in a plane of constant z; components, and it is.
   VectorsOnSurface Vectors(const VectorArrays& arrays) const;
 
+  /// The numbers of an array of the user's dataset, by vertex or by face. Where points of several numbers were joined, their mean.
+  Vector<double> Numbers(const ChosenArray& array) const;
+
   /// Makes \p output a copy of the user's dataset, to which arrays are added, and reports there what steps and repair have done.
   /// \param filter the class of the filter, whose arrays (OutputTable) a former execution may have left there: they are not copied.
   void StartOutput(vtkDataSet* output, const std::string& filter = "");

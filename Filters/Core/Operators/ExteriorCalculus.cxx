@@ -51,34 +51,6 @@ std::array<double, 3> CornerProducts(const TriangleMesh& mesh, int face)
   return products;
 }
 
-/// The parts of a face that belong to its corners.
-std::array<double, 3> VoronoiShares(const TriangleMesh& mesh, int face)
-{
-  const std::array<double, 3> products = CornerProducts(mesh, face);
-  std::array<double, 3> shares;
-  for (int k = 0; k < 3; ++k)
-  {
-    if (products[k] <= 0.0)
-    {
-      shares.fill(0.25);
-      shares[k] = 0.5;
-      return shares;
-    }
-  }
-  // The kite at a corner is (sum over its sides |side|^2 cot(opposite angle)) / 8.
-  std::array<double, 3> perSide;
-  for (int k = 0; k < 3; ++k)
-  {
-    perSide[k] = Along(mesh, 3 * face + k).squaredNorm() * products[(k + 2) % 3];
-  }
-  const double sum = perSide[0] + perSide[1] + perSide[2];
-  for (int k = 0; k < 3; ++k)
-  {
-    shares[k] = 0.5 * (perSide[k] + perSide[(k + 2) % 3]) / sum;
-  }
-  return shares;
-}
-
 /// Gradients of the barycentric coordinates of a face.
 std::array<Vector3, 3> BarycentricGradients(const TriangleMesh& mesh, int face)
 {
@@ -129,6 +101,33 @@ SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& contex
       row.emplace_back(tail, -1.0);
       row.emplace_back(head, 1.0);
     });
+}
+
+std::array<double, 3> VoronoiShares(const TriangleMesh& mesh, int face)
+{
+  const std::array<double, 3> products = CornerProducts(mesh, face);
+  std::array<double, 3> shares;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (products[k] <= 0.0)
+    {
+      shares.fill(0.25);
+      shares[k] = 0.5;
+      return shares;
+    }
+  }
+  // The kite at a corner is (sum over its sides |side|^2 cot(opposite angle)) / 8.
+  std::array<double, 3> perSide;
+  for (int k = 0; k < 3; ++k)
+  {
+    perSide[k] = Along(mesh, 3 * face + k).squaredNorm() * products[(k + 2) % 3];
+  }
+  const double sum = perSide[0] + perSide[1] + perSide[2];
+  for (int k = 0; k < 3; ++k)
+  {
+    shares[k] = 0.5 * (perSide[k] + perSide[(k + 2) % 3]) / sum;
+  }
+  return shares;
 }
 
 Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas)

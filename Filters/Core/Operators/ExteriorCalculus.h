@@ -6,6 +6,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <array>
+
 /// Discrete exterior calculus: a k-form is a number per vertex (k = 0), edge (k = 1: its integral
 /// along the edge, in the edge's orientation) or face (k = 2: its integral over the face,
 /// counter-clockwise). Thesis, sections 3.1 and 3.2; Hirani 2003; Desbrun et al. 2008.
@@ -29,6 +31,9 @@ enum class VertexAreas
   /// for the others (Meyer et al. 2003).
   MixedVoronoi,
 };
+
+/// The shares that the corners have of a face by MixedVoronoi, positive; they sum to 1.
+std::array<double, 3> VoronoiShares(const TriangleMesh& mesh, int face);
 
 /// Hodge star of 0-forms, #V areas, always positive; they sum to the (raised) area of the surface.
 Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas = VertexAreas::MixedVoronoi);

@@ -56,6 +56,8 @@ public:
   /// The reports of the last split.
   const SolveReport& ReportOfPotential() const { return this->Potentials.Report(); }
   const SolveReport& ReportOfStreamFunction() const { return this->OfStreamFunctions().Report(); }
+  /// Whether a set-up of the surface has been made for this; else it was there.
+  bool HasNewSetup() const { return this->Potentials.HasNewSetup(); }
 
 private:
   const ScaleFilter& OfStreamFunctions() const

@@ -3,6 +3,7 @@
 #include "Discretisations/MakeDiscretisation.h"
 #include "Discretisations/VertexDiscretisation.h"
 #include "Mesh/SurfaceSizes.h"
+#include "Operators/ExteriorCalculus.h"
 #include "Operators/FunctionSource.h"
 #include "Scales/SquaredStiffness.h"
 #include "Setup/SetupCache.h"
@@ -12,6 +13,7 @@
 #include "Support/Stopwatch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -72,8 +74,8 @@ void CheckWavelength(double wavelength)
 {
   if (!(wavelength > 0.0 && std::isfinite(wavelength)))
   {
-    throw InvalidInput(
-      "the wavelength " + ShortText(wavelength) + " is not a positive number; give a length in the unit of the points");
+    throw InvalidInput("the wavelength " + ShortText(wavelength) +
+      " is not a positive number; give a length in the unit of the points, times the length scale where there is one");
   }
 }
 
@@ -96,6 +98,37 @@ double LengthOnMesh(double cells)
 double AmplitudeBelow(double wavelength, double wave, int order)
 {
   return 1.0 / (1.0 + 2.0 * std::pow(wavelength / wave, 2 * order));
+}
+
+Vector<double> FunctionOfFaces(const TriangleMesh& mesh, const Vector<double>& onFaces)
+{
+  Vector<double> sums = Vector<double>::Zero(mesh.NumberOfVertices());
+  Vector<double> weights = sums;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<double, 3> shares = VoronoiShares(mesh, face);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double weight = shares[k] * mesh.FaceArea(face);
+      sums[mesh.FaceCorners()(face, k)] += weight * onFaces[face];
+      weights[mesh.FaceCorners()(face, k)] += weight;
+    }
+  }
+  return (weights.array() > 0.0).select(sums.array() / weights.array(), 0.0);
+}
+
+Vector<double> MeansOfFaces(const TriangleMesh& mesh, const Vector<double>& atVertices)
+{
+  Vector<double> means = Vector<double>::Zero(mesh.NumberOfFaces());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<double, 3> shares = VoronoiShares(mesh, face);
+    for (int k = 0; k < 3; ++k)
+    {
+      means[face] += shares[k] * atVertices[mesh.FaceCorners()(face, k)];
+    }
+  }
+  return means;
 }
 
 class ScaleFilter::Internals
@@ -127,7 +160,7 @@ private:
   /// Goes on with a factor where cycles have stalled. If the factorisation fails, all stays as it was.
   void GoOnWithFactor(
     const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
-  /// 1 / (2 c^2) or, of order 2, 1 / (sqrt 2 c^2), in units of the mean area.
+  /// 1 / (2 c^2) or, of order 2, 1 / (sqrt 2 c^2), in units of the mean area. \param wavelength in the unit of the points.
   double ShiftOf(double wavelength) const;
   /// The right-hand side of the part above or below. \param smoothed R f. \return scaled as the matrix is.
   Vector<double> RightHandSide(
@@ -137,6 +170,7 @@ private:
     const Vector<double>& f, bool& isAbove, const StoppingCriteria& stop, const ExecutionContext& context);
 
   const int Order;
+  const double LengthScale;
   const SolverOptions Options;
   const SurfaceSizes Sizes;
   const double MeanArea;             ///< of vertices
@@ -161,6 +195,7 @@ ScaleFilter::Internals::Internals(
   : Field(MakeDiscretisation(OptionsOf(options).Field, setups.Surface))
   , Areas(this->Field->AtVertices()->AreasOfVertices(context))
   , Order(options.Order)
+  , LengthScale(options.LengthScale)
   , Options(OptionsOf(options).Solver)
   , Sizes(SizesOf(setups.Surface.Mesh))
   , MeanArea(this->Areas.mean())
@@ -231,8 +266,8 @@ double ScaleFilter::Internals::ShiftOf(double wavelength) const
 void ScaleFilter::Internals::WarnOf(double wavelength)
 {
   this->Warnings.clear();
-  const double cells = wavelength / this->Sizes.MeanEdge;
-  const double longest = 2.0 * std::sqrt(this->Sizes.Area);
+  const double cells = wavelength / this->LengthScale / this->Sizes.MeanEdge;
+  const double longest = 2.0 * std::sqrt(this->Sizes.Area) * this->LengthScale;
   if (cells < FewestCells)
   {
     const double kept = AmplitudeBelow(cells, LengthOnMesh(cells), this->Order);
@@ -259,7 +294,7 @@ void ScaleFilter::Internals::TakeWavelength(double wavelength, const ExecutionCo
   }
   const Stopwatch watch;
   this->Wavelength = 0.0;
-  this->Shift = std::min(this->ShiftOf(wavelength), LargestShift * this->LargestEigenvalue);
+  this->Shift = std::min(this->ShiftOf(wavelength / this->LengthScale), LargestShift * this->LargestEigenvalue);
   this->ShiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal()));
   this->ShiftedStiffness->SetDiagonal(this->Diagonal(this->Shift), context);
   this->Squared->SetShift(this->Shift);

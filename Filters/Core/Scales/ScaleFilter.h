@@ -34,6 +34,8 @@ struct ScaleFilterOptions
   /// Vertices, ascending, at which a function keeps its values, as a stream function does along a coast. Nothing is above there, and the
   /// harmonic function of these values stays below all wavelengths, as means do elsewhere. Not of vectors.
   std::vector<int> Fixed;
+  /// The length of the unit of the points, in the unit of wavelengths.
+  double LengthScale = 1.0;
   /// Kind, ExpectedSolves and Sweeps count. Full multigrid is taken as Automatic.
   SolverOptions Solver;
 };
@@ -49,6 +51,12 @@ struct SplitScales
 /// length keeps a third at either order.
 /// \param wave its length.
 double AmplitudeBelow(double wavelength, double wave, int order);
+
+/// Values of faces as a function at vertices, which is filtered in their place: the means of the faces around, by what the vertex has of
+/// them (VoronoiShares).
+Vector<double> FunctionOfFaces(const TriangleMesh& mesh, const Vector<double>& onFaces);
+/// The way back: the means of the corners, by the same shares. Both ways keep the mean over the surface.
+Vector<double> MeansOfFaces(const TriangleMesh& mesh, const Vector<double>& atVertices);
 
 /// Splits functions or tangent vectors on a surface at a wavelength (Scales.md). With c = wavelength / (2 pi), the part x below solves
 ///
@@ -77,7 +85,7 @@ public:
   ScaleFilter(ScaleFilter&&) noexcept;
 
   /// \param quantity one or two numbers per vertex.
-  /// \param wavelength > 0, in the unit of the points. The report warns of one that the mesh does not resolve, or that is longer than the
+  /// \param wavelength > 0, in the unit of the points times LengthScale. The report warns of one that the mesh does not resolve, or that is longer than the
   ///   surface, with the amplitude that such waves keep.
   /// \param stop The smaller part, as it seems from the quantity, is solved for to the tolerance, relative in the norm of its equations.
   /// \return not converged: the best that was reached; see Report(). Where cycles do not converge in 100 iterations or more, conjugate

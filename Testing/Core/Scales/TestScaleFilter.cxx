@@ -434,6 +434,35 @@ TEST(ScaleFilter, ConstantsAndMeansStayOnEachComponent)
   }
 }
 
+TEST(ScaleFilter, ValuesOfFacesAsAFunctionAndBackKeepTheMeanAndConstants)
+{
+  for (const NamedSurface& named : SmallSurfaces())
+  {
+    SCOPED_TRACE(named.Name);
+    const TriangleMesh mesh = named.Shape.Mesh();
+    const Vector<double> onFaces = Noise(mesh.NumberOfFaces());
+    const Vector<double> atVertices = FunctionOfFaces(mesh, onFaces);
+    const double sum = mesh.FaceAreas().dot(onFaces), scale = mesh.FaceAreas().sum();
+    EXPECT_NEAR(Star0(mesh).dot(atVertices), sum, 1e-13 * scale);
+    EXPECT_NEAR(mesh.FaceAreas().dot(MeansOfFaces(mesh, atVertices)), sum, 1e-13 * scale);
+    const Vector<double> ones = Vector<double>::Ones(mesh.NumberOfFaces());
+    EXPECT_LT((MeansOfFaces(mesh, FunctionOfFaces(mesh, ones)) - ones).cwiseAbs().maxCoeff(), 1e-13);
+  }
+}
+
+TEST(ScaleFilter, WavelengthsAreInTheUnitOfTheLengthScale)
+{
+  const FramedMesh surface(IrregularSphere(3, 5).Mesh());
+  const Vector<double> b = Noise(surface.Mesh.NumberOfVertices());
+  ScaleFilterOptions inKilometres = OptionsOf(2);
+  inKilometres.LengthScale = 1024.0;
+  ScaleFilter plain(surface), scaled(surface, inKilometres);
+  EXPECT_EQ(scaled.Split(b, 1024.0).Below, plain.Split(b, 1.0).Below);
+  scaled.Split(b, 20000.0);
+  ASSERT_EQ(scaled.Report().Warnings.size(), 1u);
+  EXPECT_NE(scaled.Report().Warnings[0].find("The wavelength 20000 is longer"), std::string::npos);
+}
+
 TEST(ScaleFilter, TheLimitsAreTheFunctionAndItsMeans)
 {
   for (const NamedSurface& named : SmallSurfaces())

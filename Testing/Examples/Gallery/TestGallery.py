@@ -169,6 +169,16 @@ def check_levels(result):
         assert 2 * surface.GetNumberOfPoints() - surface.GetNumberOfCells() == 4
 
 
+def check_scales(result):
+    """Less and less is below longer wavelengths, and rows of the spectrum sum to the variance."""
+    data, table = fetch(result), simple.servermanager.Fetch(result, idx=1)
+    deviations = [vtk_to_numpy(data.GetPointData().GetArray(name)).std()
+                  for name in ("T", "T below 1500", "T below 4000", "T below 10000")]
+    assert all(np.diff(deviations) < 0), deviations
+    rows = vtk_to_numpy(table.GetRowData().GetArray("T in band"))
+    assert abs(rows.sum() / table.GetFieldData().GetArray("T variance").GetValue(0) - 1) < 1e-9
+
+
 def check_ocean(result):
     """Each coast is a streamline; what flows between two of them is the difference of their stream functions."""
     flow = fetch(result)
@@ -365,7 +375,7 @@ def picture(path):
 def check_picture(path):
     pixels = picture(path)
     background = (pixels == 255).all(axis=1).mean()
-    assert 0.1 < background < 0.98 and len(np.unique(pixels[::7], axis=0)) > (50 if "hatching" in path or "convergence" in path else 1000), (background, path)
+    assert 0.1 < background < 0.98 and len(np.unique(pixels[::7], axis=0)) > (50 if any(name in path for name in ("hatching", "convergence", "spectrum")) else 1000), (background, path)
 
 
 def main(scene):

@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean organ_flow offset_lines paths carried decal shell way_in quads quad_way quad_map unit_length three_fields hatching convergence)
+    moving_guides levels ocean scales organ_flow offset_lines paths carried decal shell way_in quads quad_way quad_map unit_length three_fields hatching convergence)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()
@@ -34,7 +34,7 @@ done
 for picture in *.png; do # 1200 pixels wide, in true colour, at most 390 KB
   name=${picture%.png}
   case $name in
-    convergence) target=$pictures/$name.png ;; # lines and letters
+    convergence | spectrum) target=$pictures/$name.png ;; # lines and letters
     *) target=$pictures/$name.jpg ;;
   esac
   convert "$picture" -trim -resize 1200x -bordercolor white -border 12x12 +repage -strip -define jpeg:extent=390KB "$target"

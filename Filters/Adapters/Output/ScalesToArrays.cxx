@@ -1,0 +1,436 @@
+#include "Adapters/Output/ScalesToArrays.h"
+
+#include "Adapters/Input/FlowFromArrays.h"
+#include "Adapters/Output/SpectrumToTable.h"
+#include "Adapters/Surface/ElementArrays.h"
+#include "Mesh/SurfaceSizes.h"
+#include "Support/ComplexPairs.h"
+#include "Support/ShortText.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+/// Spectra are drawn, and their rows sum to the whole at any tolerance.
+constexpr double ToleranceOfSpectra = 1e-4;
+constexpr int MostIterations = 200;
+constexpr double CellsOfDefault = 10.0;
+
+/// Two digits, which names of arrays show.
+double Rounded(double x)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::stod(ShortText(std::round(x / unit) * unit));
+}
+
+/// A function of the dataset on its way through the filter.
+struct ReadFunction
+{
+  std::string Name;
+  bool IsOnPoints;
+  Vector<double> Given;      ///< by vertex or face
+  Vector<double> AtVertices; ///< what is filtered
+};
+
+/// A flow of the dataset.
+struct ReadFlow
+{
+  std::string Name;
+  bool IsOnPoints;
+  Vector<Complex> Given;     ///< tangential, by vertex or face
+  Vector<double> AtVertices; ///< what is filtered as a whole
+  DecomposedFlow Parts;      ///< what is filtered else
+};
+
+}
+
+/// One call of ScaleSurface::Filter.
+class ScaleSurface::Run
+{
+public:
+  Run(ScaleSurface& of, const ScaleOptions& options, const SurfaceView& view, const ExecutionContext& context)
+    : Of(of)
+    , Options(options)
+    , View(view)
+    , On(of.Prepared->Geometry)
+    , Sizes(SizesOf(this->On.Mesh))
+    , Context(context)
+  {
+    if (this->Options.Wavelengths.empty())
+    {
+      this->Options.Wavelengths = { Rounded(CellsOfDefault * this->Sizes.MeanEdge * of.Given.LengthScale) };
+    }
+  }
+
+  void Read(const QuantityArrays& quantities, const ExecutionContext& context);
+  void AddWavelength(double wavelength, const ExecutionContext& context);
+  void AddSpectra(vtkTable* table, const ExecutionContext& context);
+  void AddReport() const;
+
+  const std::vector<double>& Wavelengths() const { return this->Options.Wavelengths; }
+
+  std::vector<std::string> Warnings;
+
+private:
+  void AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context);
+  void AddFlow(const ReadFlow& flow, double wavelength, const ExecutionContext& context);
+  void AddVectors(const ReadFlow& flow, double wavelength, const ExecutionContext& context);
+  /// Writes a flow below, and the rest of the given one above.
+  void WriteFlow(const ReadFlow& flow, const std::string& at, const Vector<Complex>& below) const;
+  void WritePart(const ReadFlow& flow, const std::string& name, const Vector<Complex>& onFaces) const;
+  Vector<Complex> AtVertices(const Vector<Complex>& onFaces) const;
+  void Take(const SolveReport& report);
+  StoppingCriteria Stop() const { return { this->Options.Tolerance, MostIterations }; }
+  double Mean(const Vector<double>& f) const;
+
+  ScaleSurface& Of;
+  ScaleOptions Options;
+  const SurfaceView& View;
+  const FramedMesh& On;
+  const SurfaceSizes Sizes;
+  const ExecutionContext& Context;
+  std::vector<ReadFunction> Functions;
+  std::vector<ReadFlow> Flows;
+  std::vector<double> MeansBefore, MeansAfter; ///< of the functions at each wavelength
+  std::vector<int> Iterations;                 ///< of all splits
+  bool HaveConverged = true;
+};
+
+Vector<Complex> ScaleSurface::Run::AtVertices(const Vector<Complex>& onFaces) const
+{
+  return PowersAtVertices(this->On.Mesh, this->Of.CornersOfFaces, onFaces, 1, this->Context);
+}
+
+void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionContext& context)
+{
+  for (const ChosenArray& array : quantities.Functions)
+  {
+    ReadFunction function{ array.Name, array.OnPoints(), this->View.Numbers(array), {} };
+    function.AtVertices = function.IsOnPoints ? function.Given : FunctionOfFaces(this->On.Mesh, function.Given);
+    this->Functions.push_back(std::move(function));
+  }
+  for (const NamedFlowArrays& each : quantities.Flows)
+  {
+    ReadFlow flow{ each.Name, each.Arrays.AreOnPoints(), FlowFromArrays(this->View, each.Arrays, context).Tangential };
+    const Vector<Complex> onFaces = flow.Given;
+    const VectorsOnSurface vectors = this->View.Vectors(each.Arrays);
+    flow.Given.resize(vectors.Values.rows());
+    const TangentFrames& frames = vectors.AreAtVertices ? this->On.Vertices : this->On.Faces;
+    for (int element = 0; element < flow.Given.size(); ++element)
+    {
+      flow.Given[element] = frames.ToComplex(element, vectors.Values.row(element).transpose());
+    }
+    if (this->Options.AreWholes)
+    {
+      flow.AtVertices = AsPairs(flow.IsOnPoints ? flow.Given : this->AtVertices(onFaces));
+    }
+    else
+    {
+      this->Of.OfFlows(context); // which shares its set-up
+      flow.Parts = this->Of.Decomposition->Decompose(onFaces, {}, { 1e-11, MostIterations }, context);
+      this->Warnings.insert(this->Warnings.end(), flow.Parts.Warnings.begin(), flow.Parts.Warnings.end());
+      this->HaveConverged &= flow.Parts.Converged;
+    }
+    this->Flows.push_back(std::move(flow));
+  }
+}
+
+void ScaleSurface::Run::Take(const SolveReport& report)
+{
+  ++this->Of.CountsOfStages.Splits;
+  this->HaveConverged &= report.Converged || report.EndedByRounding;
+  this->Iterations.push_back(report.Iterations.empty() ? 0 : report.Iterations.back().Iteration);
+  this->Warnings.insert(this->Warnings.end(), report.Warnings.begin(), report.Warnings.end());
+}
+
+double ScaleSurface::Run::Mean(const Vector<double>& f) const
+{
+  const Vector<double>& areas = this->Of.Functions->Areas();
+  return areas.dot(f) / areas.sum();
+}
+
+void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context)
+{
+  const SplitScales split = this->Of.OfFunctions(context).Split(function.AtVertices, wavelength, this->Stop(), context);
+  this->Take(this->Of.Functions->Report());
+  this->MeansBefore.push_back(this->Mean(function.AtVertices));
+  this->MeansAfter.push_back(this->Mean(split.Below));
+  const std::string below = ArrayNames::BelowWavelength(function.Name, ShortText(wavelength));
+  const std::string above = ArrayNames::AboveWavelength(function.Name, ShortText(wavelength));
+  if (function.IsOnPoints)
+  {
+    this->View.OfPoints(this->Context).Add(below, 1, split.Below.data());
+    this->View.OfPoints(this->Context).Add(above, 1, split.Above.data());
+    return;
+  }
+  const Vector<double> onFaces = MeansOfFaces(this->On.Mesh, split.Below);
+  const Vector<double> rest = function.Given - onFaces;
+  this->View.OfCells(this->Context).Add(below, 1, onFaces.data());
+  this->View.OfCells(this->Context).Add(above, 1, rest.data());
+}
+
+void ScaleSurface::Run::WriteFlow(const ReadFlow& flow, const std::string& at, const Vector<Complex>& below) const
+{
+  const Vector<Complex> above = flow.Given - below;
+  const auto write = [&](const std::string& name, const Vector<Complex>& field)
+  {
+    if (flow.IsOnPoints)
+    {
+      this->View.OfPoints(this->Context).AddVectors(name, this->On.Vertices, field);
+    }
+    else
+    {
+      this->View.OfCells(this->Context).AddVectors(name, this->On.Faces, field);
+    }
+  };
+  write(ArrayNames::BelowWavelength(flow.Name, at), below);
+  write(ArrayNames::AboveWavelength(flow.Name, at), above);
+}
+
+void ScaleSurface::Run::WritePart(const ReadFlow& flow, const std::string& name, const Vector<Complex>& onFaces) const
+{
+  if (flow.IsOnPoints)
+  {
+    this->View.OfPoints(this->Context).AddVectors(name, this->On.Vertices, this->AtVertices(onFaces));
+  }
+  else
+  {
+    this->View.OfCells(this->Context).AddVectors(name, this->On.Faces, onFaces);
+  }
+}
+
+void ScaleSurface::Run::AddFlow(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
+{
+  FlowScales& scales = this->Of.OfFlows(context);
+  const SplitFlow split = scales.Split(flow.Parts, wavelength, this->Stop(), context);
+  this->Take(scales.ReportOfPotential());
+  this->Take(scales.ReportOfStreamFunction());
+  const std::string at = ShortText(wavelength);
+  this->WriteFlow(flow, at, flow.IsOnPoints ? this->AtVertices(split.Below) : split.Below);
+  if (this->Options.PartsApart)
+  {
+    this->WritePart(flow, ArrayNames::BelowWavelength(flow.Name + " divergent", at), split.GradientBelow);
+    this->WritePart(flow, ArrayNames::BelowWavelength(flow.Name + " rotational", at), split.RotationalBelow);
+  }
+}
+
+void ScaleSurface::Run::AddVectors(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
+{
+  const SplitScales split = this->Of.OfVectors(context).Split(flow.AtVertices, wavelength, this->Stop(), context);
+  this->Take(this->Of.Vectors->Report());
+  const Vector<Complex> below = AsComplex(split.Below);
+  if (flow.IsOnPoints)
+  {
+    this->WriteFlow(flow, ShortText(wavelength), below);
+    return;
+  }
+  VectorsOnSurface inSpace{ true, Points(below.size(), 3) };
+  for (int vertex = 0; vertex < below.size(); ++vertex)
+  {
+    inSpace.Values.row(vertex) = this->On.Vertices.ToVector(vertex, below[vertex]).transpose();
+  }
+  const Points means = inSpace.OnFaces(this->On.Mesh);
+  Vector<Complex> onFaces(means.rows());
+  for (int face = 0; face < onFaces.size(); ++face)
+  {
+    onFaces[face] = this->On.Faces.ToComplex(face, means.row(face).transpose());
+  }
+  this->WriteFlow(flow, ShortText(wavelength), onFaces);
+}
+
+void ScaleSurface::Run::AddWavelength(double wavelength, const ExecutionContext& context)
+{
+  const double step = 1.0 / static_cast<double>(this->Functions.size() + this->Flows.size());
+  double done = 0.0;
+  for (const ReadFunction& function : this->Functions)
+  {
+    this->AddFunction(function, wavelength, PartOfContext(context, done, done + step));
+    done += step;
+  }
+  for (const ReadFlow& flow : this->Flows)
+  {
+    const PartOfContext part(context, done, done + step);
+    this->Options.AreWholes ? this->AddVectors(flow, wavelength, part) : this->AddFlow(flow, wavelength, part);
+    done += step;
+  }
+}
+
+void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& context)
+{
+  const double scale = this->Of.Given.LengthScale;
+  const double from =
+    this->Options.SpectrumFrom > 0.0 ? this->Options.SpectrumFrom : 4.0 * this->Sizes.MeanEdge * scale;
+  const double longest = std::max(2.0 * std::sqrt(this->Sizes.Area) * scale, 2.0 * from);
+  const double to = this->Options.SpectrumTo > 0.0 ? this->Options.SpectrumTo : longest;
+  const Vector<double> bounds = SpectrumBounds(from, to, this->Options.SpectrumRows);
+  const StoppingCriteria stop{ ToleranceOfSpectra, MostIterations };
+  SpectrumTable rows(table, this->Sizes.Area);
+  const double share =
+    static_cast<double>(this->Functions.size()) / static_cast<double>(this->Functions.size() + this->Flows.size());
+  const auto find = [&](ScaleFilter& filter, const auto& all, const ExecutionContext& part)
+  {
+    std::vector<Vector<double>> quantities;
+    std::transform(
+      all.begin(), all.end(), std::back_inserter(quantities), [](const auto& each) { return each.AtVertices; });
+    const std::vector<Spectrum> spectra = FindSpectra(filter, quantities, bounds, stop, part);
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      rows.Add(all[k].Name, spectra[k]);
+    }
+    this->Of.CountsOfStages.Splits += static_cast<int>(all.size() * bounds.size());
+  };
+  if (!this->Functions.empty())
+  {
+    find(this->Of.OfFunctions(context), this->Functions, PartOfContext(context, 0.0, share));
+  }
+  if (this->Options.AreWholes && !this->Flows.empty())
+  {
+    find(this->Of.OfVectors(context), this->Flows, PartOfContext(context, share, 1.0));
+    return;
+  }
+  for (std::size_t k = 0; k < this->Flows.size(); ++k)
+  {
+    const double step = (1.0 - share) / static_cast<double>(this->Flows.size());
+    const double done = share + static_cast<double>(k) * step;
+    const ReadFlow& flow = this->Flows[k];
+    const FlowSpectra spectra =
+      this->Of.OfFlows(context).FindSpectra(flow.Parts, bounds, stop, PartOfContext(context, done, done + step));
+    rows.Add(flow.Name, spectra.Flow);
+    rows.Add(flow.Name + " divergent", spectra.Gradient);
+    rows.Add(flow.Name + " rotational", spectra.Rotational);
+    rows.AddHarmonic(flow.Name, flow.Parts.HarmonicEnergy);
+    this->Of.CountsOfStages.Splits += static_cast<int>(2 * bounds.size());
+  }
+}
+
+void ScaleSurface::Run::AddReport() const
+{
+  vtkDataSet* const output = this->View.Output();
+  vtkFieldData* const data = output->GetFieldData();
+  const auto wavelengths = static_cast<int>(this->Options.Wavelengths.size());
+  auto names = vtkSmartPointer<vtkStringArray>::New();
+  names->SetName(ArrayNames::ScaledFunctions);
+  for (const ReadFunction& function : this->Functions)
+  {
+    names->InsertNextValue(function.Name);
+  }
+  data->AddArray(names);
+  data->AddArray(NewArray<vtkDoubleArray>(ArrayNames::Wavelengths, 1, this->Options.Wavelengths));
+  // Splits come by wavelength; a tuple stands for a wavelength.
+  data->AddArray(
+    NewArray<vtkDoubleArray>(ArrayNames::MeansBefore, std::max<int>(1, this->Functions.size()), this->MeansBefore));
+  data->AddArray(
+    NewArray<vtkDoubleArray>(ArrayNames::MeansAfter, std::max<int>(1, this->Functions.size()), this->MeansAfter));
+  data->AddArray(NewArray<vtkIntArray>(
+    ArrayNames::Iterations, static_cast<int>(this->Iterations.size()) / wavelengths, this->Iterations));
+  data->AddArray(NewValue<vtkIntArray>(ArrayNames::Converged, this->HaveConverged ? 1 : 0));
+  const std::string at = ShortText(this->Options.Wavelengths.front());
+  if (!this->Functions.empty())
+  {
+    const ReadFunction& first = this->Functions.front();
+    vtkDataSetAttributes* const attributes =
+      first.IsOnPoints ? static_cast<vtkDataSetAttributes*>(output->GetPointData()) : output->GetCellData();
+    attributes->SetActiveScalars(ArrayNames::BelowWavelength(first.Name, at).c_str());
+  }
+}
+
+void ScaleSurface::SetSurface(
+  const std::shared_ptr<const PreparedDataSet>& surface, const Settings& settings, const ExecutionContext& context)
+{
+  if (this->Prepared == surface && this->Given.IsEqual(settings) && this->Decomposition)
+  {
+    return;
+  }
+  this->Functions.reset();
+  this->Vectors.reset();
+  this->Flows.reset();
+  const bool isSameSurface = this->Prepared == surface && this->Decomposition &&
+    this->Given.IsGlobe == settings.IsGlobe && this->Given.Solver == settings.Solver;
+  if (!isSameSurface)
+  {
+    const FramedMesh& on = surface->Geometry;
+    auto corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
+    this->Decomposition.reset();
+    this->Prepared = surface;
+    this->CornersOfFaces = std::move(corners);
+    SolverOptions solver;
+    solver.Kind = settings.Solver;
+    this->Decomposition.emplace(on, settings.Boundary, solver, settings.IsGlobe);
+  }
+  this->Decomposition->SetBoundary(settings.Boundary);
+  this->Given = settings;
+}
+
+ScaleFilterOptions ScaleSurface::OptionsOf(ScaledQuantity quantity) const
+{
+  ScaleFilterOptions options;
+  options.Quantity = quantity;
+  options.Order = this->Given.Order;
+  options.LengthScale = this->Given.LengthScale;
+  options.Solver.Kind = this->Given.Solver;
+  return options;
+}
+
+ScaleFilter& ScaleSurface::OfFunctions(const ExecutionContext& context)
+{
+  if (!this->Functions)
+  {
+    this->Functions.emplace(this->Decomposition->Setups(), this->OptionsOf(ScaledQuantity::Function), context);
+    this->CountsOfStages.Setups += this->Functions->HasNewSetup() ? 1 : 0;
+  }
+  return *this->Functions;
+}
+
+ScaleFilter& ScaleSurface::OfVectors(const ExecutionContext& context)
+{
+  if (!this->Vectors)
+  {
+    this->Vectors.emplace(this->Decomposition->Setups(), this->OptionsOf(ScaledQuantity::Vectors), context);
+    this->CountsOfStages.Setups += this->Vectors->HasNewSetup() ? 1 : 0;
+  }
+  return *this->Vectors;
+}
+
+FlowScales& ScaleSurface::OfFlows(const ExecutionContext& context)
+{
+  if (!this->Flows)
+  {
+    this->Flows.emplace(*this->Decomposition, this->OptionsOf(ScaledQuantity::Function), context);
+    this->CountsOfStages.Setups += this->Flows->HasNewSetup() ? 1 : 0;
+  }
+  return *this->Flows;
+}
+
+std::vector<std::string> ScaleSurface::Filter(const QuantityArrays& quantities, const ScaleOptions& options,
+  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
+{
+  Run run(*this, options, view, context);
+  run.Read(quantities, PartOfContext(context, 0.0, 0.2));
+  const double end = options.HasSpectrum ? 0.5 : 1.0;
+  const double step = (end - 0.2) / static_cast<double>(run.Wavelengths().size());
+  double done = 0.2;
+  for (const double wavelength : run.Wavelengths())
+  {
+    run.AddWavelength(wavelength, PartOfContext(context, done, done + step));
+    done += step;
+  }
+  if (options.HasSpectrum)
+  {
+    run.AddSpectra(spectrum, PartOfContext(context, 0.5, 1.0));
+  }
+  run.AddReport();
+  context.Checkpoint(1.0);
+  return run.Warnings;
+}
+
+}

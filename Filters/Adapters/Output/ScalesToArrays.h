@@ -1,0 +1,96 @@
+#ifndef dmgScalesToArrays_h
+#define dmgScalesToArrays_h
+
+#include "Adapters/Input/QuantitiesFromArrays.h"
+#include "Adapters/Surface/PreparedDataSet.h"
+#include "Adapters/View/SurfaceView.h"
+#include "Directions/PowerFieldDirections.h"
+#include "Scales/FlowScales.h"
+#include "Scales/ScaleFilter.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkTable;
+
+namespace dmg
+{
+
+/// The results of a scale filter that somebody wants.
+struct ScaleOptions
+{
+  std::vector<double> Wavelengths; ///< in the unit of the points times the length scale; empty: one of ten mean edges
+  bool AreWholes = false;          ///< vectors are filtered as wholes rather than by their parts
+  bool PartsApart = false;         ///< of flows that are not, both parts are written, too
+  double Tolerance = 1e-6;
+  bool HasSpectrum = true;
+  double SpectrumFrom = 0.0; ///< wavelengths; 0: four mean edges
+  double SpectrumTo = 0.0;   ///< 0: twice the root of the area
+  int SpectrumRows = 24;
+};
+
+/// Scale filters for the surface of a dataset, and the arrays that show their results; kept for the next call on the same surface. Keys are
+/// contents, not modification times.
+class ScaleSurface
+{
+public:
+  /// All that the filters depend on.
+  struct Settings
+  {
+    int Order = 2;
+    double LengthScale = 1.0;
+    SolverKind Solver = SolverKind::Automatic;
+    FlowBoundary Boundary = FlowBoundary::Closed;
+    bool IsGlobe = false; ///< see HodgeDecomposition
+
+    bool IsEqual(const Settings& other) const
+    {
+      return this->Order == other.Order && this->LengthScale == other.LengthScale && this->Solver == other.Solver &&
+        this->Boundary == other.Boundary && this->IsGlobe == other.IsGlobe;
+    }
+  };
+
+  /// Takes another surface or other settings, if they are others.
+  void SetSurface(
+    const std::shared_ptr<const PreparedDataSet>& surface, const Settings& settings, const ExecutionContext& context);
+
+  /// Adds the arrays of vtkScaleFilter to the output of a view of the surface.
+  /// \param spectrum an empty table.
+  /// \return warnings for the user.
+  /// \throw InvalidInput as ScaleFilter, HodgeDecomposition and SpectrumBounds.
+  std::vector<std::string> Filter(const QuantityArrays& quantities, const ScaleOptions& options,
+    const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context);
+
+  struct StageCounts
+  {
+    int Setups = 0; ///< of solvers on the surface
+    int Splits = 0; ///< of quantities at wavelengths, with those of spectra
+  };
+  /// Over all surfaces.
+  const StageCounts& Counts() const { return this->CountsOfStages; }
+
+private:
+  class Run;
+
+  ScaleFilter& OfFunctions(const ExecutionContext& context);
+  ScaleFilter& OfVectors(const ExecutionContext& context);
+  FlowScales& OfFlows(const ExecutionContext& context);
+  ScaleFilterOptions OptionsOf(ScaledQuantity quantity) const;
+
+  Settings Given;
+  std::shared_ptr<const PreparedDataSet> Prepared;
+  Unfilled<Corner> CornersOfFaces;
+  // These refer to the surface, and share the set-ups of the first.
+  std::optional<HodgeDecomposition> Decomposition;
+  std::optional<ScaleFilter> Functions, Vectors;
+  std::optional<FlowScales> Flows;
+  StageCounts CountsOfStages;
+};
+
+}
+
+#endif

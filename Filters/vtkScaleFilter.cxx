@@ -1,0 +1,227 @@
+#include "vtkScaleFilter.h"
+
+#include "Adapters/Input/QuantitiesFromArrays.h"
+#include "Adapters/Output/ScalesToArrays.h"
+#include "Adapters/Pipeline/FilterOutputs.h"
+#include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
+#include "Adapters/View/FlatMap.h"
+#include "Adapters/View/GlobeLayout.h"
+#include "Adapters/View/HiddenGaps.h"
+#include "Adapters/View/SurfaceView.h"
+#include "Flows/PeriodicSurfaces.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkScaleFilter);
+
+namespace
+{
+
+constexpr double AxisOfMaps[3] = { 0.0, 0.0, 1.0 };
+
+}
+
+class vtkScaleFilter::vtkInternals
+{
+public:
+  std::vector<std::string> Arrays;
+  std::vector<double> Wavelengths;
+  dmg::ScaleSurface Surface;
+
+  static void CheckProperties(const vtkScaleFilter& filter)
+  {
+    dmg::CheckRanges({ { "Order", filter.Order, 1, 2 }, { "Flow Kind", filter.FlowKind, Parts, Wholes },
+      { "Boundary", filter.Boundary, Closed, Open }, { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
+      { "Length Scale", filter.LengthScale, 1e-30, 1e30 }, { "Spectrum From", filter.SpectrumFrom, 0 },
+      { "Spectrum To", filter.SpectrumTo, 0 }, { "Spectrum Rows", filter.SpectrumRows, 1, 1000 },
+      { "Tolerance", filter.Tolerance, 1e-14, 0.1 }, { "Solver", filter.Solver, Automatic, ConjugateGradients } });
+  }
+
+  static dmg::ScaleSurface::Settings SettingsOf(const vtkScaleFilter& filter, bool isGlobe)
+  {
+    const auto solver = filter.Solver == Cholesky ? dmg::SolverKind::Cholesky
+      : filter.Solver == ConjugateGradients       ? dmg::SolverKind::ConjugateGradients
+                                                  : dmg::SolverKind::Automatic;
+    const auto boundary = filter.Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
+    return { filter.Order, filter.LengthScale, solver, boundary, isGlobe };
+  }
+
+  dmg::ScaleOptions OptionsOf(const vtkScaleFilter& filter) const
+  {
+    return { this->Wavelengths, filter.FlowKind == Wholes, filter.PartsApart, filter.Tolerance, filter.Spectrum,
+      filter.SpectrumFrom, filter.SpectrumTo, filter.SpectrumRows };
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkScaleFilter::vtkScaleFilter()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
+}
+
+//------------------------------------------------------------------------------
+vtkScaleFilter::~vtkScaleFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkScaleFilter::AddArray(const char* name)
+{
+  std::vector<std::string>& arrays = this->Internals->Arrays;
+  if (name && *name && std::find(arrays.begin(), arrays.end(), name) == arrays.end())
+  {
+    arrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScaleFilter::ClearArrays()
+{
+  if (!this->Internals->Arrays.empty())
+  {
+    this->Internals->Arrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::GetNumberOfArrays() const
+{
+  return static_cast<int>(this->Internals->Arrays.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkScaleFilter::GetArray(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfArrays() ? this->Internals->Arrays[index].c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkScaleFilter::AddWavelength(double wavelength)
+{
+  std::vector<double>& wavelengths = this->Internals->Wavelengths;
+  if (std::find(wavelengths.begin(), wavelengths.end(), wavelength) == wavelengths.end())
+  {
+    wavelengths.push_back(wavelength);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScaleFilter::ClearWavelengths()
+{
+  if (!this->Internals->Wavelengths.empty())
+  {
+    this->Internals->Wavelengths.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::GetNumberOfWavelengths() const
+{
+  return static_cast<int>(this->Internals->Wavelengths.size());
+}
+
+//------------------------------------------------------------------------------
+double vtkScaleFilter::GetWavelength(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfWavelengths() ? this->Internals->Wavelengths[index] : 0.0;
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::GetNumberOfSetups() const
+{
+  return this->Internals->Surface.Counts().Setups;
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::GetNumberOfSplits() const
+{
+  return this->Internals->Surface.Counts().Splits;
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkScaleFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
+  {
+    vtkInternals::CheckProperties(*this);
+    const bool isMap = this->Coordinates == LongitudeAndLatitude;
+    const dmg::Vector3 axis(isMap ? AxisOfMaps : this->Axis);
+
+    dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
+    const dmg::QuantityArrays quantities = dmg::FindQuantities(this, this->Internals->Arrays, view.Given(), axis);
+    const bool isGlobe = isMap || quantities.AreComponents();
+    view.TakeIf<dmg::FlatMap>(isMap);
+    view.TakeIf<dmg::GlobeLayout>(isGlobe, axis);
+    view.TakeIf<dmg::HiddenGaps>(true, quantities.WithGaps(), "data"); // last: twins of gaps are gaps
+    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
+
+    dmg::ScaleSurface& surface = this->Internals->Surface;
+    surface.SetSurface(
+      view.Prepared(), vtkInternals::SettingsOf(*this, isGlobe), dmg::PartOfContext(context, 0.05, 0.1));
+    dmg::WarnOfPreparation(this, view.Repair());
+    view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
+    dmg::Warn(this,
+      surface.Filter(quantities, this->Internals->OptionsOf(*this), view, vtkTable::GetData(outputVector, 1),
+        dmg::PartOfContext(context, 0.1, 1.0)));
+    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
+    dmg::Warn(this, view.Warnings());
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+void vtkScaleFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const boundaries[] = { "Closed", "Open" };
+  const char* const solvers[] = { "Automatic", "Cholesky", "ConjugateGradients" };
+  os << indent << "Arrays:";
+  for (const std::string& name : this->Internals->Arrays)
+  {
+    os << " '" << name << "'";
+  }
+  os << "\n" << indent << "Wavelengths:";
+  for (const double wavelength : this->Internals->Wavelengths)
+  {
+    os << " " << wavelength;
+  }
+  os << "\n" << indent << "Order: " << this->Order << "\n";
+  os << indent << "FlowKind: " << (this->FlowKind == Parts ? "Parts" : "Wholes") << "\n";
+  os << indent << "PartsApart: " << this->PartsApart << "\n";
+  os << indent << "Boundary: " << dmg::NameOf(boundaries, this->Boundary) << "\n";
+  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
+  os << indent << "LengthScale: " << this->LengthScale << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+  os << indent << "Spectrum: " << this->Spectrum << "\n";
+  os << indent << "SpectrumFrom: " << this->SpectrumFrom << "\n";
+  os << indent << "SpectrumTo: " << this->SpectrumTo << "\n";
+  os << indent << "SpectrumRows: " << this->SpectrumRows << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
+}
