@@ -10,6 +10,8 @@ std::string ArrayNames::Direction(int k)
   return "Direction" + std::to_string(k);
 }
 
+std::string ArrayNames::CellsWithout(const std::string& what)
+{
   std::string name = what;
   name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
   return "CellsWithout" + name;
