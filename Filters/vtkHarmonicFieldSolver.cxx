@@ -6,7 +6,6 @@
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -100,32 +99,9 @@ void WarnOfSoup(vtkAlgorithm* algorithm, const dmg::TriangleMesh& mesh)
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   : Internals(new vtkInternals(this))
 {
-  const dmg::FieldProblem problem;
-  this->Discretisation = static_cast<int>(problem.Options.Field.Kind);
-  this->NumberOfDirections = problem.Options.Field.N;
-  this->ConstraintType = static_cast<int>(problem.Options.Constraints);
-  this->Alignment = problem.Options.Alignment;
-  this->SmoothingLength = problem.SmoothingLength;
-  this->MaximumDistance = problem.Guides.MaximumDistance;
-  this->BoundaryWeight = problem.Features.BoundaryWeight;
-  this->BoundaryRotation = problem.Features.BoundaryRotation;
-  this->SharpEdgesWeight = problem.Features.SharpEdgesWeight;
-  this->SharpEdgesRotation = problem.Features.SharpEdgesRotation;
-  this->FeatureAngle = problem.Features.FeatureAngle;
-  this->CurvatureWeight = problem.Features.CurvatureWeight;
-  this->CurvatureRotation = problem.Features.CurvatureRotation;
-  this->CurvatureDirection = problem.Features.FollowsMinimum ? MinimumCurvature : MaximumCurvature;
-  this->CurvatureScale = problem.Features.CurvatureScale;
+  dmg::FieldProblem problem;
+  dmg::PropertyTableOf(this, problem).ToFilter();
   this->Rotation = problem.Rotation.Everywhere * 180.0 / dmg::Pi;
-  this->Solver = static_cast<int>(problem.Options.Solver.Kind);
-  this->ExpectedSolves = problem.Options.Solver.ExpectedSolves;
-  this->CoarseSpace = static_cast<int>(problem.Options.CoarseSpace);
-  this->Tolerance = problem.Stop.RelativeTolerance;
-  this->MaximumNumberOfIterations = problem.Stop.MaximumIterations;
-  this->UnitLength = problem.UnitLength;
-  this->UnitLengthWhileSmoothing = problem.UnitLengthWhileSmoothing;
-  this->Combing = problem.Combing;
-  this->HarmonicBasis = problem.HarmonicBasis;
   this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(4);
 }
@@ -303,46 +279,9 @@ int vtkHarmonicFieldSolver::RequestData(
 //------------------------------------------------------------------------------
 void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const discretisations[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction", "PointPowerField" };
-  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients", "NestedIterations",
-    "CoarseProlongation" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Discretisation: " << dmg::NameOf(discretisations, this->Discretisation) << "\n";
-  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
-  os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
-  os << indent << "Alignment: " << this->Alignment << "\n";
-  os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
-  os << indent << "TensorWeights: " << (this->TensorWeights ? "On" : "Off") << "\n";
-  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
-  os << indent << "FollowDirections: " << (this->FollowDirections ? "On" : "Off") << "\n";
-  os << indent << "GuideDirections: " << this->GetGuideDirections() << "\n";
-  os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
-  os << indent << "BoundaryRotation: " << this->BoundaryRotation << "\n";
-  os << indent << "SharpEdgesWeight: " << this->SharpEdgesWeight << "\n";
-  os << indent << "SharpEdgesRotation: " << this->SharpEdgesRotation << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "CurvatureWeight: " << this->CurvatureWeight << "\n";
-  os << indent << "CurvatureRotation: " << this->CurvatureRotation << "\n";
-  os << indent << "CurvatureDirection: "
-     << (this->CurvatureDirection == MaximumCurvature ? "MaximumCurvature" : "MinimumCurvature") << "\n";
-  os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
-  os << indent << "Rotation: " << this->Rotation << "\n";
-  os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
-  os << indent << "NetSource: " << (this->NetSource == Refuse ? "Refuse" : "TakeOut") << "\n";
-  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
-  os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
-  os << indent
-     << "CoarseSpace: " << (this->CoarseSpace == LinearInterpolation ? "LinearInterpolation" : "StructurePreserving")
-     << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
-  os << indent << "AllDirections: " << (this->AllDirections ? "On" : "Off") << "\n";
-  os << indent << "UnitLengthWhileSmoothing: " << (this->UnitLengthWhileSmoothing ? "On" : "Off") << "\n";
-  os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
-  os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
+  dmg::FieldProblem problem;
+  dmg::PropertyTableOf(this, problem).Print(os, indent);
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
   os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
   os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";

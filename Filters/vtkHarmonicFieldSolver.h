@@ -535,38 +535,38 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  // Defaults are those of the core (dmg::FieldProblem).
-  int Discretisation;
-  int NumberOfDirections;
-  int ConstraintType;
-  double Alignment;
-  double SmoothingLength;
+  // The constructor sets the defaults of the core (dmg::FieldProblem).
+  int Discretisation = 0;
+  int NumberOfDirections = 0;
+  int ConstraintType = 0;
+  double Alignment = 0.0;
+  double SmoothingLength = 0.0;
   bool TensorWeights = false;
   double Axis[3] = { 0.0, 0.0, 1.0 };
   bool FollowDirections = true;
-  double MaximumDistance;
-  double BoundaryWeight;
-  double BoundaryRotation;
-  double SharpEdgesWeight;
-  double SharpEdgesRotation;
-  double FeatureAngle;
-  double CurvatureWeight;
-  double CurvatureRotation;
-  int CurvatureDirection;
-  double CurvatureScale;
-  double Rotation;
+  double MaximumDistance = 0.0;
+  double BoundaryWeight = 0.0;
+  double BoundaryRotation = 0.0;
+  double SharpEdgesWeight = 0.0;
+  double SharpEdgesRotation = 0.0;
+  double FeatureAngle = 0.0;
+  double CurvatureWeight = 0.0;
+  double CurvatureRotation = 0.0;
+  int CurvatureDirection = 0;
+  double CurvatureScale = 0.0;
+  double Rotation = 0.0;
   std::string SingularityIndexArray;
   int NetSource = Refuse;
-  int Solver;
-  int ExpectedSolves;
-  int CoarseSpace;
-  double Tolerance;
-  int MaximumNumberOfIterations;
-  bool UnitLength;
+  int Solver = 0;
+  int ExpectedSolves = 0;
+  int CoarseSpace = 0;
+  double Tolerance = 0.0;
+  int MaximumNumberOfIterations = 0;
+  bool UnitLength = false;
   bool AllDirections = false;
-  bool UnitLengthWhileSmoothing;
-  bool Combing;
-  bool HarmonicBasis;
+  bool UnitLengthWhileSmoothing = false;
+  bool Combing = false;
+  bool HarmonicBasis = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -7,7 +7,7 @@
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -72,13 +72,26 @@ public:
 
   dmg::Kept<dmg::EngineOfSurface<dmg::HodgeDecomposition, Setup>> Engines;
 
-  static void CheckProperties(const vtkHodgeDecomposition& filter)
+  static dmg::PropertyTable PropertiesOf(const vtkHodgeDecomposition& filter)
   {
-    dmg::CheckRanges({ { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
-      { "Boundary", filter.Boundary, Closed, Open }, { "Edge Values", filter.EdgeValues, Integrals, Components },
-      { "Solver", filter.Solver, Automatic, ConjugateGradients }, { "Expected Solves", filter.ExpectedSolves, 1 },
-      { "Number Of Contours", filter.NumberOfContours, 0, 1000 }, { "Lift", filter.Lift, 0, 0.1 },
-      { "Reference Boundary", filter.ReferenceBoundary, 0 }, { "Length Scale", filter.LengthScale, 1e-30, 1e30 } });
+    dmg::PropertyTable table;
+    table.Text("EdgeArray", filter.EdgeArray);
+    table.Choice("Coordinates", filter.Coordinates, { "Space", "LongitudeAndLatitude" });
+    table.Choice("Boundary", filter.Boundary, { "Closed", "Open" });
+    table.Choice("EdgeValues", filter.EdgeValues, { "Integrals", "Components" });
+    table.Choice("Solver", filter.Solver, { "Automatic", "Cholesky", "ConjugateGradients" });
+    table.Number("ExpectedSolves", filter.ExpectedSolves, 1);
+    table.Number("NumberOfContours", filter.NumberOfContours, 0, 1000);
+    table.Number("Lift", filter.Lift, 0, 0.1);
+    table.Number("ReferenceBoundary", filter.ReferenceBoundary, 0);
+    table.Number("LengthScale", filter.LengthScale, 1e-30, 1e30);
+    table.Switch("GradientPart", filter.GradientPart);
+    table.Switch("RotationalPart", filter.RotationalPart);
+    table.Switch("HarmonicPart", filter.HarmonicPart);
+    table.Switch("SteeringFlow", filter.SteeringFlow);
+    table.Switch("Derivatives", filter.Derivatives);
+    table.Vector("Axis", filter.Axis);
+    return table;
   }
 
   /// Each time of the input is a flow, of two solves.
@@ -155,7 +168,7 @@ int vtkHodgeDecomposition::RequestData(
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    vtkInternals::CheckProperties(*this);
+    vtkInternals::PropertiesOf(*this).Check();
     vtkDataSet* const edges = whole[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(whole[1]) : nullptr;
     const bool isMap = this->Coordinates == LongitudeAndLatitude;
     const dmg::Vector3 axis(isMap ? AxisOfMaps : this->Axis);
@@ -194,22 +207,5 @@ int vtkHodgeDecomposition::RequestData(
 void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const boundaries[] = { "Closed", "Open" };
-  const char* const solvers[] = { "Automatic", "Cholesky", "ConjugateGradients" };
-  os << indent << "EdgeArray: " << this->EdgeArray << "\n";
-  os << indent << "EdgeValues: " << (this->EdgeValues == Integrals ? "Integrals" : "Components") << "\n";
-  os << indent << "Boundary: " << dmg::NameOf(boundaries, this->Boundary) << "\n";
-  os << indent << "GradientPart: " << this->GradientPart << "\n";
-  os << indent << "RotationalPart: " << this->RotationalPart << "\n";
-  os << indent << "HarmonicPart: " << this->HarmonicPart << "\n";
-  os << indent << "SteeringFlow: " << this->SteeringFlow << "\n";
-  os << indent << "Derivatives: " << this->Derivatives << "\n";
-  os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
-  os << indent << "ReferenceBoundary: " << this->ReferenceBoundary << "\n";
-  os << indent << "Lift: " << this->Lift << "\n";
-  os << indent << "LengthScale: " << this->LengthScale << "\n";
-  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
-  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
-  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
-  os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
+  vtkInternals::PropertiesOf(*this).Print(os, indent);
 }

@@ -7,7 +7,7 @@
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
@@ -40,6 +40,22 @@ public:
   }
 
   dmg::Kept<dmg::EngineOfSurface<dmg::ParallelTransport, dmg::TransportOptions>> Engines;
+
+  static dmg::PropertyTable PropertiesOf(const vtkParallelTransport& filter)
+  {
+    dmg::PropertyTable table;
+    table.Vector("Point", filter.Point);
+    table.Switch("UsePoint", filter.UsePoint);
+    table.Vector("Direction", filter.Direction);
+    table.Vector("Axis", filter.Axis);
+    table.Switch("AddPoint", filter.AddPoint);
+    table.Switch("LogarithmicMap", filter.LogarithmicMap);
+    table.Number("TextureSize", filter.TextureSize, 0, 1e40);
+    table.Number("TimeStep", filter.TimeStep, 0.01, 1000);
+    table.Number("ArrowDistance", filter.ArrowDistance, 0.0005, 1);
+    table.Number("NumberOfCircles", filter.NumberOfCircles, 0, 1000);
+    return table;
+  }
 
   /// Direction at the point of the map, which becomes PointOnSurface in the first leaf.
   dmg::PlacedDirection Place(vtkParallelTransport& filter, const dmg::FramedMesh& surface)
@@ -161,8 +177,7 @@ int vtkParallelTransport::RequestData(
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 },
-      { "Arrow Distance", this->ArrowDistance, 0.0005, 1 }, { "Number Of Circles", this->NumberOfCircles, 0, 1000 } });
+    vtkInternals::PropertiesOf(*this).Check();
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::FramedMesh& surface = view.Surface().Geometry;
@@ -205,16 +220,7 @@ int vtkParallelTransport::RequestData(
 void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n";
-  os << indent << "UsePoint: " << (this->UsePoint ? "On" : "Off") << "\n";
+  vtkInternals::PropertiesOf(*this).Print(os, indent);
   os << indent << "PointOnSurface: " << this->PointOnSurface[0] << " " << this->PointOnSurface[1] << " "
      << this->PointOnSurface[2] << "\n";
-  os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " " << this->Direction[2] << "\n";
-  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
-  os << indent << "AddPoint: " << (this->AddPoint ? "On" : "Off") << "\n";
-  os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";
-  os << indent << "TextureSize: " << this->TextureSize << "\n";
-  os << indent << "ArrowDistance: " << this->ArrowDistance << "\n";
-  os << indent << "NumberOfCircles: " << this->NumberOfCircles << "\n";
-  os << indent << "TimeStep: " << this->TimeStep << "\n";
 }
