@@ -6,6 +6,7 @@
 #include "Flows/FlowOperators.h"
 #include "Flows/FormOnPolygons.h"
 #include "Support/Errors.h"
+#include "Support/Hash.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -32,12 +33,12 @@ struct HashOfPoint
 {
   std::size_t operator()(const FloatPoint& point) const
   {
-    std::size_t hash = 0;
+    std::uint64_t hash = 0;
     for (const float coordinate : point)
     {
-      hash = 1000003 * hash ^ std::hash<float>()(coordinate);
+      hash = MixHash(hash, std::hash<float>()(coordinate));
     }
-    return hash;
+    return static_cast<std::size_t>(hash);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "Adapters/Ranks/DigestOfData.h"
 
+#include "Support/Hash.h"
+
 #include "vtkCellArray.h"
 #include "vtkCharArray.h"
 #include "vtkCommunicator.h"
@@ -29,11 +31,7 @@ namespace
 class Digest
 {
 public:
-  void Add(std::string_view bytes)
-  {
-    this->Hash = (this->Hash ^ std::hash<std::string_view>()(bytes)) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
-    this->Hash ^= this->Hash >> 29;
-  }
+  void Add(std::string_view bytes) { this->Hash = MixHash(this->Hash, std::hash<std::string_view>()(bytes)); }
   void Add(vtkDataArray* numbers)
   {
     const std::size_t size = numbers ? numbers->GetNumberOfValues() * numbers->GetDataTypeSize() : 0;

@@ -1,5 +1,7 @@
 #include "Adapters/Ranks/NearPlaces.h"
 
+#include "Support/Hash.h"
+
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
@@ -29,8 +31,7 @@ std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place) const
     {
       const double side = ((corner >> k) & 1) != 0 ? tolerance : -tolerance;
       const auto cell = static_cast<std::int64_t>(std::floor((place[k] + side) / width));
-      hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
-      hash ^= hash >> 32;
+      hash = MixHash(hash, static_cast<std::uint64_t>(cell));
     }
     cells[corner] = hash;
   }

@@ -3,6 +3,7 @@
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Errors.h"
+#include "Support/Hash.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
@@ -62,8 +63,7 @@ int MeetingRank(const MeetingSide& side, int numberOfRanks)
   {
     for (const std::int64_t part : *key)
     {
-      hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 29;
+      hash = MixHash(hash, static_cast<std::uint64_t>(part));
     }
   }
   return static_cast<int>(hash % static_cast<std::uint64_t>(numberOfRanks));

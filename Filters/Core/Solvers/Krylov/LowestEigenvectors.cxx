@@ -1,6 +1,7 @@
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
 #include "Solvers/Krylov/LowestOfBlock.h"
+#include "Support/Hash.h"
 #include "Support/Remedy.h"
 #include "Support/SparseKernels.h"
 
@@ -71,15 +72,6 @@ Coefficients LeastRayleighQuotient(const Gram& gram)
     }
   }
   return Coefficients::Unit(0);
-}
-
-/// A number in [-1, 1) by SplitMix64 (Steele et al. 2014).
-double PseudoRandom(int index)
-{
-  std::uint64_t z = (static_cast<std::uint64_t>(index) + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
 }
 
 /// The iteration, step by step. Vectors are zero outside the parts.

@@ -1,5 +1,7 @@
 #include "Solvers/Krylov/LowestOfBlock.h"
 
+#include "Support/Hash.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,15 +18,6 @@ constexpr int BlockSize = 8;
 /// Iterations in which a residual is not halved, after which rounding errors hold it up.
 constexpr int Patience = 20;
 using Block = Eigen::MatrixXd;
-
-/// A number in [-1, 1); SplitMix64 (Steele et al. 2014).
-double PseudoRandom(std::uint64_t index)
-{
-  std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
-}
 
 /// A block of vectors on each part. A block may have fewer columns than others, and none where its part is solved.
 using Blocks = std::vector<Block>;
