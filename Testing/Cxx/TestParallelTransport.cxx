@@ -2,6 +2,9 @@
 
 #include "TestTools.h"
 
+#include "Geodesics/ParallelTransport.h"
+
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -322,4 +325,25 @@ TEST(ParallelTransportFilter, AbortedRunsStartAgain)
   }
   filter->Update();
   EXPECT_GT(OutputOf(filter)->GetNumberOfCells(), 0);
+}
+
+TEST(ParallelTransportFilter, KeepsTheFactorsOfEachLeafOfACompositeDataset)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, PolyDataOf(Icosphere(2)));
+  blocks->SetBlock(1, PolyDataOf(Torus(16, 8)));
+  vtkNew<vtkParallelTransport> filter;
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 2);
+  filter->SetDirection(0.0, 1.0, 0.5);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 2);
+  filter->SetTimeStep(-1.0); // refused before a leaf is read
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_NE(messages.Error(), "");
+  filter->SetTimeStep(dmg::TransportOptions().TimeStep);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 2);
 }
