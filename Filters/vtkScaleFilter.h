@@ -46,6 +46,7 @@
  * | Iterations               | wavelengths | of the solves, a component for each function, and two for each flow |
  * | Converged                | 1           | whether all have                                                 |
  * | CellsWithoutData         | 1           | cells that took no part                                          |
+ * | PositiveSide             | 1           | the side by which cells turn; see vtkOrientedSurfaceAlgorithm    |
  *
  * Port 1: vtkTable, the spectrum: a row for each of SpectrumRows wavelengths, evenly spaced in octaves, with the columns Wavelength and Wavenumber
  * (2 pi over it) and, for each quantity NAME,
