@@ -4,7 +4,6 @@
 #include "Operators/ExteriorCalculus.h"
 
 #include <tuple>
-#include <vector>
 
 namespace dmg
 {
@@ -31,8 +30,6 @@ struct DiscretisationOptions
   int N = 4;
   /// The star of 0-forms: of 1-forms in their divergence, of functions in their mass.
   VertexAreas Areas = VertexAreas::MixedVoronoi;
-  /// Of functions: one per vertex, > 0, or empty for 1 everywhere; see CotangentLaplacian.
-  std::vector<double> Conductivity;
 
   static DiscretisationOptions OfFunctions()
   {
@@ -55,8 +52,8 @@ struct DiscretisationOptions
   {
     const auto members = [](const DiscretisationOptions& options)
     {
-      const auto& [kind, N, areas, conductivity] = options; // all of them, or it does not compile
-      return std::tie(kind, N, areas, conductivity);
+      const auto& [kind, N, areas] = options; // all of them, or it does not compile
+      return std::tie(kind, N, areas);
     };
     return members(a) == members(b);
   }

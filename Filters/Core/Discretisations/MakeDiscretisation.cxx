@@ -17,7 +17,7 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
   switch (options.Kind)
   {
     case DiscretisationKind::ScalarFunction:
-      return std::make_unique<ScalarFunction>(surface, options.Areas, options.Conductivity);
+      return std::make_unique<ScalarFunction>(surface, options.Areas);
     case DiscretisationKind::OneForm:
       return std::make_unique<OneForm>(surface, options.Areas);
     case DiscretisationKind::FaceField:
@@ -50,9 +50,6 @@ DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options)
   switch (options.Kind)
   {
     case DiscretisationKind::ScalarFunction:
-      counting.Areas = options.Areas;
-      counting.Conductivity = options.Conductivity;
-      break;
     case DiscretisationKind::OneForm:
       counting.Areas = options.Areas;
       break;

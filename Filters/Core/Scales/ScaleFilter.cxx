@@ -1,6 +1,7 @@
 #include "Scales/ScaleFilter.h"
 
 #include "Discretisations/MakeDiscretisation.h"
+#include "Discretisations/ScalarFunction.h"
 #include "Discretisations/VertexDiscretisation.h"
 #include "Mesh/SurfaceSizes.h"
 #include "Operators/ExteriorCalculus.h"
@@ -38,8 +39,6 @@ FieldOptions OptionsOf(const ScaleFilterOptions& asked)
 {
   FieldOptions options;
   options.Field = DiscretisationOptions::OfFunctions();
-  std::transform(asked.RelativeWavelengths.begin(), asked.RelativeWavelengths.end(),
-    std::back_inserter(options.Field.Conductivity), [](double relative) { return relative * relative; });
   if (asked.Quantity == ScaledQuantity::Vectors)
   {
     options.Field = {};
@@ -49,6 +48,20 @@ FieldOptions OptionsOf(const ScaleFilterOptions& asked)
   options.Solver.ExpectedSolves = asked.Solver.ExpectedSolves;
   options.Solver.Sweeps = asked.Solver.Sweeps;
   return options;
+}
+
+/// c^2 is a conductivity.
+std::unique_ptr<const Discretisation> FieldOf(const ScaleFilterOptions& asked, const FramedMesh& surface)
+{
+  const DiscretisationOptions field = OptionsOf(asked).Field;
+  if (asked.RelativeWavelengths.empty())
+  {
+    return MakeDiscretisation(field, surface);
+  }
+  std::vector<double> conductivity;
+  std::transform(asked.RelativeWavelengths.begin(), asked.RelativeWavelengths.end(), std::back_inserter(conductivity),
+    [](double relative) { return relative * relative; });
+  return std::make_unique<ScalarFunction>(surface, field.Areas, std::move(conductivity));
 }
 
 void CheckRelativeWavelengths(const ScaleFilterOptions& options, int vertices)
@@ -234,7 +247,7 @@ private:
 
 ScaleFilter::Internals::Internals(
   SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
-  : Field(MakeDiscretisation(OptionsOf(options).Field, setups.Surface))
+  : Field(FieldOf(options, setups.Surface))
   , Areas(this->Field->AtVertices()->AreasOfVertices(context))
   , Order(options.Order)
   , LengthScale(options.LengthScale)
@@ -248,7 +261,10 @@ ScaleFilter::Internals::Internals(
   , FixedVertices(options.Fixed)
 {
   CheckOptions(options, setups.Surface.Mesh.NumberOfVertices());
-  this->Setup = setups.Take(*this->Field, OptionsOf(options), nullptr, context);
+  // A set-up of a conductivity of its own serves nobody else.
+  SetupCache own(setups.Surface);
+  SetupCache& from = options.RelativeWavelengths.empty() ? setups : own;
+  this->Setup = from.Take(*this->Field, OptionsOf(options), nullptr, context);
   const StiffnessHierarchy& hierarchy = *this->Setup.Levels->Hierarchy;
   const int size = hierarchy.NumberOfUnknowns();
   this->Mass.resize(size);
