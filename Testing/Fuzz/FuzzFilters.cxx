@@ -459,11 +459,7 @@ void SetSources(Choices& choose, vtkSurfaceDistance* distance)
   {
     const vtkSmartPointer<vtkPolyData> surface = SurfaceOf(choose);
     const auto sources = choose.OneIn(2) ? surface : EdgesOf(choose, surface);
-    constexpr int Most = 300; // lines cross each other, and each crossing splits a face
-    if (sources->GetNumberOfCells() <= Most)
-    {
-      distance->AddInputDataObject(1, sources);
-    }
+    distance->AddInputDataObject(1, sources);
   }
   if (choose.OneIn(3))
   {

@@ -107,7 +107,7 @@ void IntrinsicTriangulation::SetDirections(const TriangleMesh& mesh, const Verte
 
 void IntrinsicTriangulation::MakeDelaunay(const ExecutionContext& context)
 {
-  constexpr int Interval = 100000;
+  constexpr int Interval = 16384;
   std::deque<int> queue;
   for (int h = 0; h < this->NumberOfHalfedges(); ++h)
   {
@@ -117,11 +117,13 @@ void IntrinsicTriangulation::MakeDelaunay(const ExecutionContext& context)
     }
   }
   const long long limit = LargestFlipsPerEdge * this->NumberOfHalfedges();
+  double done = 0.0; // flips make more to do
   for (long long step = 0; !queue.empty() && step < limit; ++step)
   {
     if (step % Interval == 0)
     {
-      context.Checkpoint(0.0);
+      done = std::max(done, static_cast<double>(step) / static_cast<double>(step + queue.size()));
+      context.Checkpoint(done);
     }
     const int h = queue.front();
     queue.pop_front();

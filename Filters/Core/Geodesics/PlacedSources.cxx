@@ -75,7 +75,7 @@ PlacedSources::PlacedSources(const FramedMesh& surface, const DistanceSources& s
   context.Checkpoint(0.1);
   if (!sources.Points.empty() || !sources.Lines.empty() || !options.Targets.empty())
   {
-    this->AddPlaces(context);
+    this->AddPlaces(PartOfContext(context, 0.1, 1.0));
   }
 }
 
@@ -171,14 +171,14 @@ void PlacedSources::AddPlaces(const ExecutionContext& context)
     const NearestPlace place = nearest(point);
     return place.Face >= 0 && place.Distance <= maximum ? this->Split.AddPoint(place.Face, place.Position) : -1;
   };
+  this->All = this->Sources.Points.size() + this->Options.Targets.size();
+  for (const std::vector<Vector3>& line : this->Sources.Lines)
+  {
+    this->All += line.size();
+  }
   int number = static_cast<int>(this->Sources.Vertices.size());
-  constexpr int Interval = 1024;
   for (const Vector3& point : this->Sources.Points)
   {
-    if (number % Interval == 0)
-    {
-      context.Checkpoint(0.1);
-    }
     const int vertex = vertexOf(point);
     if (vertex >= 0)
     {
@@ -186,20 +186,29 @@ void PlacedSources::AddPlaces(const ExecutionContext& context)
     }
     this->TooFar += vertex < 0 ? 1 : 0;
     ++number;
+    this->Advance(1.0, context);
   }
   for (const Vector3& point : this->Options.Targets)
   {
-    if (this->Targets.size() % Interval == 0)
-    {
-      context.Checkpoint(0.2);
-    }
     this->Targets.push_back(vertexOf(point));
+    this->Advance(1.0, context);
   }
   const SegmentOnSurface segments(nearest, maximum);
   const SidesOfSurface sides = this->Options.Signed ? FindSides(this->Surface.Mesh) : SidesOfSurface();
   for (const std::vector<Vector3>& line : this->Sources.Lines)
   {
     this->AddLine(line, number++, segments, sides, context);
+  }
+}
+
+/// Places, and sides of lines, are done, or a part of one.
+void PlacedSources::Advance(double places, const ExecutionContext& context)
+{
+  constexpr int Interval = 16;
+  this->Done += places;
+  if (this->Steps++ % Interval == 0)
+  {
+    context.Checkpoint(std::min(this->Done / static_cast<double>(this->All), 1.0));
   }
 }
 
@@ -210,10 +219,11 @@ void PlacedSources::AddLine(const std::vector<Vector3>& points, int number, cons
   bool isTaken = false;
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
-    context.Checkpoint(0.3);
     int missed = 0;
-    for (const SegmentPart& part : segments.PartsOf(points[k], points[k + 1]))
+    const std::vector<SegmentPart> parts = segments.PartsOf(points[k], points[k + 1]);
+    for (const SegmentPart& part : parts)
     {
+      this->Advance(1.0 / static_cast<double>(parts.size()), context);
       // A part along an edge comes twice, for both of its faces.
       if (part.Kind == SegmentPart::OnSurface && !(end.Face >= 0 && part.Start == end.PartStart))
       {

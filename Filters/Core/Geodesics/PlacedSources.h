@@ -10,6 +10,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ private:
   void AddElements();
   void AddRegion(int number);
   void AddPlaces(const ExecutionContext& context);
+  void Advance(double places, const ExecutionContext& context);
   void AddLine(const std::vector<Vector3>& points, int number, const SegmentOnSurface& segments,
     const SidesOfSurface& sides, const ExecutionContext& context);
   bool AddPart(const SegmentPart& part, const Line& line, End& end);
@@ -64,6 +66,9 @@ private:
   const DistanceSources& Sources;
   const DistanceOptions& Options;
   std::vector<PathStart> Starts; ///< but for those of lines
+  std::size_t All = 0;           ///< places
+  double Done = 0.0;
+  int Steps = 0;
 };
 
 }

@@ -183,17 +183,19 @@ public:
 
   void Run(double maximumDistance, const ExecutionContext& context)
   {
-    constexpr int Steps = 65536;
+    constexpr int Steps = 16384;
+    int passed = 0;
     for (int step = 0; !this->Reached.empty() && this->Reached.top().first <= maximumDistance; ++step)
     {
       const auto [length, vertex] = this->Reached.top();
       this->Reached.pop();
       if (step % Steps == 0)
       {
-        context.Checkpoint(0.0);
+        context.Checkpoint(passed / static_cast<double>(this->Paths.size()));
       }
       if (length == this->Paths[vertex].Length && !this->HasPassed[vertex])
       {
+        passed += this->Visits[vertex] == 0 ? 1 : 0;
         this->HasPassed[vertex] = 1;
         ++this->Visits[vertex];
         this->Around.VisitFan(vertex, [this](int h) { this->Leave(h); });

@@ -42,22 +42,57 @@ SplitSurface::SplitSurface(const FramedMesh& surface)
   }
 }
 
-const std::vector<int>& SplitSurface::PartsOf(int face)
+SplitSurface::FaceInParts& SplitSurface::About(int face)
 {
-  std::vector<int>& parts = this->Parts[face];
-  if (parts.empty())
-  {
-    parts.push_back(face);
-  }
-  return parts;
+  const int first = 3 * face;
+  return this->Split.try_emplace(face, FaceInParts{ { first, first + 1, first + 2 }, face }).first->second;
 }
 
-bool SplitSurface::IsCorner(int vertex, int face)
+/// The halfedge from which the parts of a face around a vertex are visited; that of an added vertex may be in a neighbour of the face.
+/// \pre it is a corner of the face, or was added.
+int& SplitSurface::LeavingOf(int vertex, int face)
 {
-  const std::vector<int>& parts = this->PartsOf(face);
-  return std::any_of(parts.begin(), parts.end(),
-    [&](int part)
-    { return std::count(this->Tails.begin() + 3 * part, this->Tails.begin() + 3 * part + 3, vertex) > 0; });
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  if (vertex >= mesh.NumberOfVertices())
+  {
+    return this->Leaving[vertex - mesh.NumberOfVertices()];
+  }
+  const int side = mesh.Tail(3 * face) == vertex ? 0 : mesh.Tail(3 * face + 1) == vertex ? 1 : 2;
+  return this->About(face).Corners[side];
+}
+
+/// The first halfedge that leaves a vertex in parts of a face, counter-clockwise; -1 where the vertex is no corner of them.
+int SplitSurface::FirstAt(int vertex, int face)
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  const bool isAdded = vertex >= mesh.NumberOfVertices();
+  if (!isAdded && mesh.Tail(3 * face) != vertex && mesh.Tail(3 * face + 1) != vertex &&
+    mesh.Tail(3 * face + 2) != vertex)
+  {
+    return -1;
+  }
+  const int start = this->LeavingOf(vertex, face);
+  int first = this->FaceOf(start) == face ? start : -1;
+  const auto previous = [this](int h) { return this->Twins[h] < 0 ? -1 : Next(this->Twins[h]); };
+  for (int h = previous(start); h >= 0 && h != start && (isAdded || this->FaceOf(h) == face); h = previous(h))
+  {
+    if (this->FaceOf(h) == face)
+    {
+      first = h;
+    }
+    else if (first >= 0)
+    {
+      return first;
+    }
+  }
+  return first;
+}
+
+/// The next halfedge that leaves a vertex in parts of a face, counter-clockwise; -1 after the last one.
+int SplitSurface::NextAt(int halfedge, int first, int face) const
+{
+  const int next = this->Twins[Previous(halfedge)];
+  return next < 0 || next == first || this->FaceOf(next) != face ? -1 : next;
 }
 
 Complex SplitSurface::InPlane(int face, const Vector3& position) const
@@ -80,7 +115,8 @@ int SplitSurface::AddPoint(int face, const Vector3& place)
 {
   const Complex point = this->InPlane(face, place);
   const double snap = Snap * this->SizeOf(face);
-  const std::vector<int> parts = this->PartsOf(face);
+  const int around = this->PartAt(face, point);
+  const std::vector<int> parts = this->PartsNear(around, point, snap);
   for (const int part : parts)
   {
     for (int h = 3 * part; h < 3 * part + 3; ++h)
@@ -91,36 +127,86 @@ int SplitSurface::AddPoint(int face, const Vector3& place)
       }
     }
   }
-  int around = -1;
-  double inmost = -1e300;
-  for (const int part : parts)
+  for (int h = 3 * around; h < 3 * around + 3; ++h)
   {
-    double inside = 1e300; // the least distance from a side, positive inside
-    for (int h = 3 * part; h < 3 * part + 3; ++h)
+    const Complex tail = this->InPlane(face, this->Tails[h]) - point;
+    if (SquaredDistanceToSegment(tail, this->InPlane(face, this->Head(h)) - point) <= snap * snap)
     {
-      const Complex tail = this->InPlane(face, this->Tails[h]) - point;
-      const Complex head = this->InPlane(face, this->Head(h)) - point;
-      if (SquaredDistanceToSegment(tail, head) <= snap * snap)
-      {
-        return this->SplitEdge(h, place);
-      }
-      inside = std::min(inside, Cross(tail, head) / std::abs(head - tail));
-    }
-    if (inside > inmost)
-    {
-      inmost = inside;
-      around = part;
+      return this->SplitEdge(h, place);
     }
   }
   return this->SplitFace(around, place);
+}
+
+/// The distance of a point from a halfedge, positive to its left.
+double SplitSurface::DistanceInside(int face, int halfedge, Complex point) const
+{
+  const Complex tail = this->InPlane(face, this->Tails[halfedge]) - point;
+  const Complex head = this->InPlane(face, this->Head(halfedge)) - point;
+  return Cross(tail, head) / std::abs(head - tail);
+}
+
+/// The part of a face in which a point lies, or at the side of which it lies, beside the face: straight on from the last one. Each vertex is to
+/// the left or to the right of the way, so that rounding does not lead astray.
+int SplitSurface::PartAt(int face, Complex point)
+{
+  FaceInParts& about = this->About(face);
+  int part = about.Last;
+  Complex start = 0.0;
+  for (int h = 3 * part; h < 3 * part + 3; ++h)
+  {
+    start += this->InPlane(face, this->Tails[h]) / 3.0;
+  }
+  const Complex way = point - start;
+  const auto isLeft = [&](int vertex) { return Cross(way, this->InPlane(face, vertex) - start) > 0.0; };
+  for (int step = 0; step < about.Count; ++step)
+  {
+    int exit = -1;
+    for (int h = 3 * part; h < 3 * part + 3; ++h)
+    {
+      const bool isCrossed = !isLeft(this->Tails[h]) && isLeft(this->Head(h));
+      exit = isCrossed && this->DistanceInside(face, h, point) < 0.0 ? h : exit;
+    }
+    const int twin = exit < 0 ? -1 : this->Twins[exit];
+    if (twin < 0 || this->FaceOf(twin) != face)
+    {
+      break;
+    }
+    part = TriangleMesh::FaceOf(twin);
+  }
+  about.Last = part;
+  return part;
+}
+
+/// A part, and those of its face that are no farther than a distance from a point in it.
+std::vector<int> SplitSurface::PartsNear(int part, Complex point, double distance) const
+{
+  std::vector<int> parts = { part };
+  const int face = this->Faces[part];
+  for (std::size_t next = 0; next < parts.size(); ++next)
+  {
+    for (int h = 3 * parts[next]; h < 3 * parts[next] + 3; ++h)
+    {
+      const int twin = this->Twins[h];
+      const Complex tail = this->InPlane(face, this->Tails[h]) - point;
+      if (twin >= 0 && this->FaceOf(twin) == face &&
+        SquaredDistanceToSegment(tail, this->InPlane(face, this->Head(h)) - point) <= distance * distance &&
+        std::find(parts.begin(), parts.end(), TriangleMesh::FaceOf(twin)) == parts.end())
+      {
+        parts.push_back(TriangleMesh::FaceOf(twin));
+      }
+    }
+  }
+  return parts;
 }
 
 int SplitSurface::AddFace(int part, int a, int b, int c)
 {
   const int added = static_cast<int>(this->Faces.size());
   const int face = this->Faces[part];
-  this->PartsOf(face);
-  this->Parts[face].push_back(added);
+  FaceInParts& about = this->About(face);
+  about.Last = added;
+  ++about.Count;
   this->Faces.push_back(face);
   this->Tails.insert(this->Tails.end(), { a, b, c });
   this->Twins.insert(this->Twins.end(), { -1, -1, -1 });
@@ -153,6 +239,9 @@ int SplitSurface::SplitFace(int part, const Vector3& place)
   this->Positions.push_back(place);
   const int h = 3 * part, a = this->Tails[h], b = this->Tails[h + 1], c = this->Tails[h + 2];
   const int second = 3 * this->AddFace(part, b, c, middle), third = 3 * this->AddFace(part, c, a, middle);
+  int& leaving = this->LeavingOf(c, this->Faces[part]);
+  leaving = leaving == h + 2 ? third : leaving;
+  this->Leaving.push_back(h + 2);
   this->MoveSide(h + 1, second);
   this->MoveSide(h + 2, third);
   this->Tails[h + 2] = middle;
@@ -167,11 +256,14 @@ int SplitSurface::SplitEdge(int halfedge, const Vector3& place)
 {
   const int middle = static_cast<int>(this->Positions.size());
   this->Positions.push_back(place);
+  this->Leaving.push_back(Next(halfedge));
   const int twin = this->Twins[halfedge];
   const auto splitSide = [&](int side)
   {
     const int head = this->Head(side), apex = this->Tails[Previous(side)];
     const int added = 3 * this->AddFace(TriangleMesh::FaceOf(side), middle, head, apex);
+    int& leaving = this->LeavingOf(head, this->FaceOf(side));
+    leaving = leaving == Next(side) ? added + 1 : leaving;
     this->MoveSide(Next(side), added + 1);
     this->Tails[Next(side)] = middle;
     this->Join(Next(side), added + 2);
@@ -261,74 +353,6 @@ bool SplitSurface::AddLine(int from, int face, int to, int nextFace, const Line&
     }
   }
   return false;
-}
-
-/// From edge to edge of the parts of one face; those that are crossed are split there.
-bool SplitSurface::Cut(int from, int to, int face, const Line& line)
-{
-  const std::size_t steps = 3 * this->PartsOf(face).size() + 3;
-  for (std::size_t step = 0; from != to && step < steps; ++step)
-  {
-    const int next = this->GoOn(from, to, face);
-    if (next < 0)
-    {
-      return false;
-    }
-    for (const int part : this->PartsOf(face))
-    {
-      for (int h = 3 * part; h < 3 * part + 3; ++h)
-      {
-        const bool isAlong = this->Tails[h] == from && this->Head(h) == next;
-        if (isAlong || (this->Tails[h] == next && this->Head(h) == from))
-        {
-          this->AddLine(h, isAlong ? line : line.Reversed());
-        }
-      }
-    }
-    from = next;
-  }
-  return from == to;
-}
-
-/// The next vertex on the straight line to another one, which may be new; -1 where rounding hides it.
-int SplitSurface::GoOn(int from, int to, int face)
-{
-  const Complex start = this->InPlane(face, from), way = this->InPlane(face, to) - start;
-  const double snap = Snap * this->SizeOf(face) * std::abs(way);
-  const auto isOnLine = [&](int vertex)
-  {
-    const Complex place = this->InPlane(face, vertex) - start;
-    return vertex == to || (std::abs(Cross(way, place)) <= snap && Dot(way, place) > 0.0);
-  };
-  int crossed = -1;
-  for (const int part : this->PartsOf(face))
-  {
-    for (int h = 3 * part; h < 3 * part + 3; ++h)
-    {
-      if (this->Tails[h] != from)
-      {
-        continue;
-      }
-      const int right = this->Head(h), left = this->Tails[Previous(h)];
-      if (isOnLine(right) || isOnLine(left))
-      {
-        return isOnLine(right) ? right : left;
-      }
-      if (Cross(way, this->InPlane(face, right) - start) < 0.0 && Cross(way, this->InPlane(face, left) - start) > 0.0)
-      {
-        crossed = Next(h);
-      }
-    }
-  }
-  if (crossed < 0)
-  {
-    return -1;
-  }
-  const int right = this->Tails[crossed], left = this->Head(crossed);
-  const double below = -Cross(way, this->InPlane(face, right) - start);
-  const double above = Cross(way, this->InPlane(face, left) - start);
-  const double part = below / (below + above);
-  return this->SplitEdge(crossed, (1.0 - part) * this->Positions[right] + part * this->Positions[left]);
 }
 
 FramedMesh SplitSurface::Make(const ExecutionContext& context) const

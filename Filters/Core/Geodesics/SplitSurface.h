@@ -5,6 +5,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <array>
 #include <unordered_map>
 #include <vector>
 
@@ -27,7 +28,7 @@ public:
 
   /// \param place on the face.
   /// \return the vertex there.
-  /// Cost: linear in the number of parts that the face has.
+  /// Cost: of the way there, from part to part of the face, from where it was split last.
   int AddPoint(int face, const Vector3& place);
 
   /// The side of a line that is inside.
@@ -57,6 +58,7 @@ public:
   /// Makes edges of the straight line between two vertices of the same face or of neighbours.
   /// \param face, nextFace where the vertices were added.
   /// \return false where the faces have no point in common.
+  /// Cost: linear in the number of parts that the line crosses, and in the number of edges at its ends.
   bool AddLine(int from, int face, int to, int nextFace, const Line& line);
   /// Makes a halfedge of the surface a line.
   /// \pre no face is split yet.
@@ -72,28 +74,53 @@ public:
   FramedMesh Make(const ExecutionContext& context = SerialContext()) const;
 
 private:
-  const std::vector<int>& PartsOf(int face);
-  bool IsCorner(int vertex, int face);
+  /// A face with parts.
+  struct FaceInParts
+  {
+    std::array<int, 3> Corners; ///< a halfedge from each corner, in one of its parts
+    int Last;                   ///< the part that was made or found last
+    int Count = 1;              ///< of parts
+  };
+  /// A step along an edge.
+  struct Step
+  {
+    int Vertex;   ///< its end, -1 where there is none
+    int Halfedge; ///< of the edge, in either direction
+  };
+
+  FaceInParts& About(int face);
+  int& LeavingOf(int vertex, int face);
+  int FirstAt(int vertex, int face);
+  int NextAt(int halfedge, int first, int face) const;
+  bool IsCorner(int vertex, int face) { return this->FirstAt(vertex, face) >= 0; }
+  int FaceOf(int halfedge) const { return this->Faces[TriangleMesh::FaceOf(halfedge)]; }
   Complex InPlane(int face, const Vector3& position) const;
   Complex InPlane(int face, int vertex) const { return this->InPlane(face, this->Positions[vertex]); }
   double SizeOf(int face) const;
   int Head(int halfedge) const { return this->Tails[TriangleMesh::Next(halfedge)]; }
+  int PartAt(int face, Complex point);
+  std::vector<int> PartsNear(int part, Complex point, double distance) const;
+  double DistanceInside(int face, int halfedge, Complex point) const;
   int AddFace(int part, int a, int b, int c);
   void Join(int halfedge, int twin);
   void MoveSide(int from, int to);
   int SplitFace(int part, const Vector3& place);
   int SplitEdge(int halfedge, const Vector3& place);
   bool Cut(int from, int to, int face, const Line& line);
-  int GoOn(int from, int to, int face);
+  Step GoOn(int from, int to, int face);
+  struct Strip;
+  class PolygonFilling;
+  int MakeEdge(Strip& strip, int from, int to);
 
   const FramedMesh& Surface;
   std::vector<Vector3> Positions;
-  std::vector<int> Tails;                          // per halfedge
-  std::vector<int> Twins;                          // per halfedge
-  std::vector<int> NumbersOfLines;                 // per halfedge
-  std::vector<char> SidesOfLines;                  // per halfedge
-  std::vector<int> Faces;                          // of the surface, per part
-  std::unordered_map<int, std::vector<int>> Parts; // of the faces that are split
+  std::vector<int> Tails;                     // per halfedge
+  std::vector<int> Twins;                     // per halfedge
+  std::vector<int> NumbersOfLines;            // per halfedge
+  std::vector<char> SidesOfLines;             // per halfedge
+  std::vector<int> Faces;                     // of the surface, per part
+  std::vector<int> Leaving;                   // a halfedge from each vertex that was added
+  std::unordered_map<int, FaceInParts> Split; // faces that are split
 };
 
 }

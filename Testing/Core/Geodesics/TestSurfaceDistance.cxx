@@ -7,6 +7,7 @@
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/ReadPly.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -614,6 +616,28 @@ TEST(SurfaceDistance, CanBeCancelled)
   EXPECT_THROW(SurfaceDistance(surface, FromVertex(0)).PathTo(24, Stopped()), Cancelled);
 }
 
+TEST(SurfaceDistance, OfOneLineOverManyFacesGoesOnAndStopsInside)
+{
+  const FramedMesh surface(PlaneGrid(60, 60).Mesh());
+  DistanceSources sources;
+  sources.Lines = { { Vector3(0.5, 0.2, 0.0), Vector3(59.5, 59.8, 0.0) } };
+  TbbContext watched(1);
+  SurfaceDistance(surface, sources, {}, watched);
+  const std::vector<double>& progress = watched.Progress();
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  const auto inLine = [](double done) { return done > 0.04 && done < 0.29; }; // places are the first three tenths
+  const auto steps = std::count_if(progress.begin(), progress.end(), inLine);
+  EXPECT_GE(steps, 5);
+  for (const int stop : { 2, 5 })
+  {
+    TbbContext stopped(1);
+    stopped.CancelAfter(stop);
+    EXPECT_THROW(SurfaceDistance(surface, sources, {}, stopped), Cancelled);
+    EXPECT_EQ(static_cast<int>(stopped.Progress().size()), stop);
+    EXPECT_LT(stopped.Progress().back(), 0.29);
+  }
+}
+
 TEST(SurfaceDistance, RefusesWhatItCannotUse)
 {
   const FramedMesh surface(PlaneGrid(4, 4).Mesh());
@@ -674,4 +698,47 @@ TEST(SplitSurface, KeepsAreasAndMakesEdgesOfLines)
     const int twin = result.Mesh.Twin(h);
     EXPECT_TRUE(twin < 0 || split.Lines()[h] == split.Lines()[twin]);
   }
+}
+
+TEST(SplitSurface, CutsAFaceByHundredsOfLinesThatCrossEachOther)
+{
+  Surface shape{ Points(3, 3), Triangles(1, 3) };
+  shape.V << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  shape.F << 0, 1, 2;
+  const FramedMesh surface(shape.Mesh());
+  SplitSurface split(surface);
+  constexpr int Lines = 400;
+  Random random(17);
+  std::vector<std::array<Vector3, 2>> lines;
+  for (int k = 0; k < Lines; ++k)
+  {
+    lines.push_back({ Vector3(random.Uniform(), 0.0, 0.0), Vector3(0.0, random.Uniform(), 0.0) });
+    const int from = split.AddPoint(0, lines[k][0]), to = split.AddPoint(0, lines[k][1]);
+    EXPECT_TRUE(split.AddLine(from, 0, to, 0, { k }));
+  }
+  int crossings = 0; // lines from one side to another cross where their ends are in different orders
+  for (int k = 0; k < Lines; ++k)
+  {
+    for (int j = 0; j < k; ++j)
+    {
+      crossings += (lines[k][0].x() < lines[j][0].x()) != (lines[k][1].y() < lines[j][1].y()) ? 1 : 0;
+    }
+  }
+  const FramedMesh result = split.Make();
+  EXPECT_NEAR(result.Mesh.FaceAreas().sum(), 0.5, 1e-12);
+  EXPECT_EQ(result.Mesh.EulerCharacteristic(), 1);
+  std::vector<std::set<int>> linesAt(result.Mesh.NumberOfVertices());
+  for (int h = 0; h < 3 * result.Mesh.NumberOfFaces(); ++h)
+  {
+    if (split.Lines()[h] >= 0)
+    {
+      linesAt[result.Mesh.Tail(h)].insert(split.Lines()[h]);
+      linesAt[result.Mesh.Head(h)].insert(split.Lines()[h]);
+    }
+  }
+  const auto found =
+    std::count_if(linesAt.begin(), linesAt.end(), [](const std::set<int>& numbers) { return numbers.size() > 1; });
+  EXPECT_LE(found, crossings);
+  EXPECT_GE(found, 0.98 * crossings); // those that are nearer to each other than SplitSurface::Snap become one
+  EXPECT_LE(result.Mesh.NumberOfVertices(), 3 + 2 * Lines + found); // and no other edge is split
 }
