@@ -28,6 +28,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkHodgeDecomposition);
 
@@ -194,10 +195,11 @@ int vtkHodgeDecomposition::RequestData(
     const dmg::FlowOptions outputs = vtkInternals::OutputsOf(*this, edges != nullptr);
     const dmg::DecomposedFlow parts =
       decomposition.Decompose(flow.Tangential, outputs.Parts, { 1e-11, 200 }, dmg::PartOfContext(context, 0.1, 0.8));
-    dmg::WriteFlow(parts, decomposition, flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
-      vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.8, 1.0));
+    const std::string ofArrays =
+      dmg::WriteFlow(parts, decomposition, flow, outputs, view, vtkPolyData::GetData(outputVector, 1),
+        vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.8, 1.0));
     dmg::Warn(this, parts.Warnings);
-    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()), flow.Warning });
+    dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()), flow.Warning, ofArrays });
     dmg::Warn(this, view.Warnings());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

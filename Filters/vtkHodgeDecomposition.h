@@ -42,7 +42,7 @@
  * | SteeringFlow                                          | cells, points  | 3          | what the boundary alone decides (SetSteeringFlow) |
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
- * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide |
+ * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide; NaN where the data do not determine them, as in straits one cell wide, with a warning |
  * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential, seen from PositiveSide; none of a 1-form |
  *
  * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are

@@ -56,7 +56,7 @@ public:
       : filter.Solver == ConjugateGradients       ? dmg::SolverKind::ConjugateGradients
                                                   : dmg::SolverKind::Automatic;
     const auto boundary = filter.Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open;
-    return { filter.Order, filter.LengthScale, solver, boundary, isGlobe };
+    return { filter.Order, filter.LengthScale, solver, boundary, isGlobe, {} };
   }
 
   dmg::ScaleOptions OptionsOf(const vtkScaleFilter& filter) const
@@ -182,8 +182,9 @@ int vtkScaleFilter::RequestData(
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
 
     dmg::ScaleSurface& surface = this->Internals->Surface;
-    surface.SetSurface(
-      view.Prepared(), vtkInternals::SettingsOf(*this, isGlobe), dmg::PartOfContext(context, 0.05, 0.1));
+    dmg::ScaleSurface::Settings settings = vtkInternals::SettingsOf(*this, isGlobe);
+    settings.RelativeWavelengths = quantities.RelativeWavelengthsOn(view);
+    surface.SetSurface(view.Prepared(), settings, dmg::PartOfContext(context, 0.05, 0.1));
     dmg::WarnOfPreparation(this, view.Repair());
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
     dmg::Warn(this,

@@ -21,6 +21,9 @@
  *   Axis to the north, or for flat maps (Coordinates). Results are called Flow;
  * - without any of these, the active scalars and the active vectors (index 0), of points or else of cells; without these, the only array.
  *
+ * An array of numbers with index 3 makes wavelengths vary: at each point they are so many times those asked for, as a local Rossby radius in
+ * km, or the size of the cells, filtered at a wavelength of 1 or 3. Numbers are positive; NaN is land. Constants and means stay.
+ *
  * A cell with a number of one of them that is NaN, or with such a point, takes no part, as land: its sides are coasts. It is NaN in what
  * comes out. Fill values (1e20, -9999, infinite) far from the others are an error or a warning.
  *
@@ -46,6 +49,7 @@
  * | Iterations               | wavelengths | of the solves, a component for each function, and two for each flow |
  * | Converged                | 1           | whether all have                                                 |
  * | CellsWithoutData         | 1           | cells that took no part                                          |
+ * | PositiveSide             | 1           | the side by which cells turn; see vtkOrientedSurfaceAlgorithm    |
  *
  * Port 1: vtkTable, the spectrum: a row for each of SpectrumRows wavelengths, evenly spaced in octaves, with the columns Wavelength and Wavenumber
  * (2 pi over it) and, for each quantity NAME,
@@ -98,7 +102,7 @@ public:
   ///@{
   /**
    * The wavelengths to filter at, in the unit of the points times LengthScale. Default none, which stands for one of ten mean edges, rounded
-   * to two digits. One that is not positive is an error; one below four mean edges or beyond the surface a warning, with the amplitude that
+   * to two digits, or for 1 where wavelengths vary. One that is not positive is an error; one below four mean edges or beyond the surface a warning, with the amplitude that
    * such waves keep. Adding one again changes nothing.
    */
   void AddWavelength(double wavelength);

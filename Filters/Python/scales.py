@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Optional, Sequence, TypeVar, Union
+from typing import Dict, Optional, Sequence, Tuple, TypeVar, Union
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkTable
 
@@ -14,7 +14,8 @@ Names = Union[str, Sequence[str], None]
 
 
 def scale_filter(mesh: Mesh, arrays: Names = None, wavelengths: Union[float, Sequence[float], None] = None, *,
-                 eastward: Optional[str] = None, northward: Optional[str] = None, **properties: Property) -> Mesh:
+                 eastward: Optional[str] = None, northward: Optional[str] = None, relative_wavelengths: Optional[str] = None,
+                 **properties: Property) -> Mesh:
     """What of functions and flows on a surface is larger than a wavelength, and what is smaller.
 
     mesh                 a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
@@ -25,6 +26,8 @@ def scale_filter(mesh: Mesh, arrays: Names = None, wavelengths: Union[float, Seq
                          keeps 1/3 of its amplitude.
     eastward, northward  names of two arrays of numbers, a flow around the origin with Axis to the north, or on flat maps with
                          Coordinates="LongitudeAndLatitude"; its results are called Flow
+    relative_wavelengths the name of an array of positive numbers: at each point, wavelengths are so many times those asked for, which are then 1
+                         by default
     properties           properties of vtkScaleFilter by name, as Order=1, LengthScale=6371; values of enumerations may be names, as
                          FlowKind="Wholes"
 
@@ -36,7 +39,7 @@ def scale_filter(mesh: Mesh, arrays: Names = None, wavelengths: Union[float, Seq
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
     filter refuses; warns with FieldWarning.
     """
-    scales = _scale_filter(mesh, arrays, eastward, northward, {"Spectrum": False, **properties}, ("wavelengths",))
+    scales = _scale_filter(mesh, arrays, (eastward, northward, relative_wavelengths), {"Spectrum": False, **properties}, ("wavelengths",))
     _set_wavelengths(scales, wavelengths)
     result = type(mesh)()
     result.ShallowCopy(_update(scales, 3))
@@ -44,7 +47,7 @@ def scale_filter(mesh: Mesh, arrays: Names = None, wavelengths: Union[float, Seq
 
 
 def spectrum(mesh: vtkDataSet, arrays: Names = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,
-             **properties: Property) -> vtkTable:
+             relative_wavelengths: Optional[str] = None, **properties: Property) -> vtkTable:
     """The energy of functions and flows on a surface by wavelength.
 
     properties  properties of vtkScaleFilter by name: SpectrumFrom and SpectrumTo, the shortest and the longest wavelength, SpectrumRows, and
@@ -53,7 +56,7 @@ def spectrum(mesh: vtkDataSet, arrays: Names = None, *, eastward: Optional[str] 
     All else is as for scale_filter. Returns a table with a row for each wavelength: the columns Wavelength and Wavenumber and, as for "ssh",
     "ssh per octave", "ssh per wavenumber", "ssh in band", whose rows sum to the variance, and "ssh above".
     """
-    scales = _scale_filter(mesh, arrays, eastward, northward, properties, ("spectrum",))
+    scales = _scale_filter(mesh, arrays, (eastward, northward, relative_wavelengths), properties, ("spectrum",))
     scales.SpectrumOn()
     _update(scales, 3)
     table = vtkTable()
@@ -61,20 +64,20 @@ def spectrum(mesh: vtkDataSet, arrays: Names = None, *, eastward: Optional[str] 
     return table
 
 
-def _scale_filter(mesh: vtkDataSet, arrays: Names, eastward: Optional[str], northward: Optional[str],
-                  properties: Dict[str, Property], others: Sequence[str]) -> vtkScaleFilter:
+def _scale_filter(mesh: vtkDataSet, arrays: Names, choices: Tuple[Optional[str], ...], properties: Dict[str, Property],
+                  others: Sequence[str]) -> vtkScaleFilter:
     _check_mesh(mesh)
     scales = vtkScaleFilter()
     scales.SetInputData(mesh)
-    _set_properties(scales, properties, ("mesh", "arrays", "eastward", "northward", *others),
+    _set_properties(scales, properties, ("mesh", "arrays", "eastward", "northward", "relative_wavelengths", *others),
                     {"u": "eastward", "v": "northward", "wavelength": "wavelengths"})
     for name in () if arrays is None else arrays if isinstance(arrays, (list, tuple)) else (arrays,):
         if not isinstance(name, str):
             raise TypeError(f"{_short(name)} is no name of an array")
         scales.AddArray(name)
-    if eastward is not None or northward is not None:
-        _choose_array(scales, mesh, 1, eastward)
-        _choose_array(scales, mesh, 2, northward)
+    for index, name in enumerate(choices, 1):
+        if name is not None:
+            _choose_array(scales, mesh, index, name)
     return scales
 
 

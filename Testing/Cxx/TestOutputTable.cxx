@@ -92,7 +92,10 @@ std::vector<ManualRow> RowsOf(const std::string& text)
     const bool isOfArrays = heads[0] == "array" || heads[0] == "field array" || heads[0] == "column";
     if (isOfArrays && cells[0].find("---") == std::string::npos)
     {
-      rows.push_back({ { "port", heads[0] == "column" && !isOfHeader ? "2" : heads[0] == "field array" ? "0" : port } });
+      rows.push_back({ { "port",
+        heads[0] == "column" && !isOfHeader ? "2"
+          : heads[0] == "field array"       ? "0"
+                                            : port } });
       for (std::size_t k = 0; k < cells.size(); ++k)
       {
         rows.back()[heads[k]] = cells[k];

@@ -20,7 +20,7 @@ from directionalmultigrid import FieldError, FieldWarning, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles,
                                                               vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
                                                               vtkHarmonicFieldSolver, vtkHodgeDecomposition,
-                                                              vtkPrincipalDirections, vtkSurfaceDistance)
+                                                              vtkPrincipalDirections, vtkScaleFilter, vtkSurfaceDistance)
 from smoothest import FIELDS, how_it_ended
 from surfaces import add, values
 
@@ -109,7 +109,9 @@ class AnySurface(unittest.TestCase):
                 curvature, hodge = vtkPrincipalDirections(), vtkHodgeDecomposition()
                 add(data.GetCellData(), "Flow", np.random.default_rng(2).normal(size=(data.GetNumberOfCells(), 3)))
                 hodge.SetInputArrayToProcess(0, 0, 0, CELLS, "Flow")
-                for each in (vtkDirectionalField(), curvature, hodge, vtkSurfaceDistance()):
+                scales = vtkScaleFilter()
+                scales.AddArray("Flow")
+                for each in (vtkDirectionalField(), curvature, hodge, scales, vtkSurfaceDistance()):
                     each.SetInputDataObject(0, data)
                     if error:
                         with self.assertRaisesRegex(FieldError, error):

@@ -3,12 +3,12 @@
 import unittest
 
 import numpy as np
-from directionalmultigrid import FieldError, hodge
+from directionalmultigrid import FieldError, FieldWarning, hodge
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHodgeDecomposition
-from surfaces import add, torus, values_of_points
+from surfaces import add, surface as surface_of, torus, values_of_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 try:
     from vtkmodules.vtkFiltersCore import vtkExtractEdges
@@ -87,6 +87,26 @@ class Flows(unittest.TestCase):
             hodge(with_flow(), "Wind")
         with self.assertRaisesRegex(FieldError, "no flow to decompose"):
             hodge(with_flow())
+
+    def test_derivatives_in_a_strait_one_cell_wide(self):
+        """Two seas of 5 x 5 cells, and between them a strait of 12 cells in a row: three cells beside each sea know it."""
+        cells = [(i, j) for i in range(22) for j in range(5) if j == 2 or not 5 <= i < 17]
+        corners = np.array([(i + a, j + b) for i, j in cells for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
+        points, numbers = np.unique(corners, axis=0, return_inverse=True)
+        quads = vtkPolyData()
+        quads.DeepCopy(surface_of(np.c_[points, 0 * points[:, 0]], []))
+        rows = vtkCellArray()
+        for row in numbers.reshape(-1, 4):
+            rows.InsertNextCell(4, [int(k) for k in row])
+        quads.SetPolys(rows)
+        x, y = (np.array(cells) + 0.5).T
+        add(quads.GetCellData(), "Flow", np.stack([2 * x - 3 * y, 4 * x + 3 * y, 0 * x], 1))
+        with self.assertWarnsRegex(FieldWarning, "Divergence and vorticity are NaN at 14 points.*one cell wide"):
+            data = hodge(quads, "Flow").GetPointData()
+        inStrait = (points[:, 0] > 7.5) & (points[:, 0] < 14.5)
+        for name, exact in (("Divergence", 5), ("Vorticity", 7)):
+            np.testing.assert_array_equal(np.isnan(values(data, name)), inStrait)
+            np.testing.assert_allclose(values(data, name)[~inStrait], exact, atol=1e-9)
 
     def test_a_form_on_edges(self):
         surface = with_flow()

@@ -4,7 +4,7 @@ import unittest
 import warnings
 
 import numpy as np
-from directionalmultigrid import hodge, smooth_field, transport, update
+from directionalmultigrid import distance, hodge, scale_filter, smooth_field, transport, update
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldAngles, vtkFieldSingularities
 from layouts import LAYOUTS, Layout
 from surfaces import values
@@ -95,7 +95,16 @@ def count(layout, on_points):
             np.array([filter.GetOutputDataObject(0).GetNumberOfPoints()])]
 
 
-FILTERS = {"solver": solve, "boundary": along_boundary, "Hodge": decompose, "transport": carry, "angles": measure, "singularities": count}
+def reach(layout, on_points):
+    return [layout.get(distance(layout.data, mask="region"), "Distance", True) / layout.scale]
+
+
+def filter_scales(layout, on_points):
+    result = scale_filter(layout.data, ["flow", "height"], 0.5 * layout.scale, Tolerance=1e-9)
+    return [layout.get(result, f"{name} below {0.5 * layout.scale:g}", on_points) for name in ("flow", "height")]
+
+
+FILTERS = {"distance": reach, "scales": filter_scales, "solver": solve, "boundary": along_boundary, "Hodge": decompose, "transport": carry, "angles": measure, "singularities": count}
 
 
 class Layouts(unittest.TestCase):
@@ -103,6 +112,9 @@ class Layouts(unittest.TestCase):
         one = Layout(POINTS, CELLS, **layout)
         for name, function in (("flow", flow), ("directions", directions), ("sources", sources)):
             one.add(name, function(POINTS if on_points else CENTRES), on_points)
+        at = POINTS if on_points else CENTRES
+        one.add("height", np.sin(4 * at[:, 0]) + at[:, 1], on_points, are_vectors=False)
+        one.add("region", 1.0 * (np.hypot(at[:, 0] - 0.3, at[:, 1] - 0.4) < 0.15), on_points, are_vectors=False)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # cells that are turned, points that are joined
             return run(one, on_points)

@@ -5,10 +5,11 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkFiltersCore import vtkDelaunay2D
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPointSource
 
 from directionalmultigrid import FieldError, hodge, quads, smooth_field, transport, update
-from surfaces import corners, disc, grid, surface, torus, values_of_points
+from surfaces import add, corners, disc, grid, surface, torus, values, values_of_points
 
 
 def message(call):
@@ -93,6 +94,22 @@ class Remedies(unittest.TestCase):
     def test_of_guides_that_are_far(self):
         self.assert_helps(lambda **more: smooth_field(torus(20, 10), guides=far_line(), **more), "Maximum Distance",
                           {}, {"MaximumDistance": 10})
+
+    def test_of_triangles_with_wide_angles(self):
+        """sin x cos y and its gradient, on a sheared grid: Delaunay triangles of the same points have no such angles, and errors below a tenth."""
+        x, y = (each.ravel() for each in np.meshgrid(np.linspace(-1, 1, 61), np.linspace(-1, 1, 61), indexing="ij"))
+        sheared = grid(60, lambda x, y: (x + 7 * y, y, 0 * x))
+        add(sheared.GetPointData(), "Flow", np.stack([np.cos(x + 7 * y) * np.cos(y), -np.sin(x + 7 * y) * np.sin(y), 0 * x], 1))
+        delaunay = vtkDelaunay2D()
+        delaunay.SetInputData(sheared)
+        errors = []
+        for mesh, is_warned in ((sheared, True), (update(delaunay), False)):
+            self.assertEqual("100 % of the surface have triangles with an angle above 150 degrees" in message(lambda: hodge(mesh, "Flow")), is_warned)
+            self.assertEqual("Delaunay 2D" in message(lambda: hodge(mesh, "Flow")), is_warned)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                errors.append(np.ptp(values(hodge(mesh, "Flow").GetPointData(), "Potential") - np.sin(x + 7 * y) * np.cos(y)))
+        self.assertLess(errors[1], 0.1 * errors[0])
 
     def test_of_few_iterations(self):
         mesh = torus(100, 50)

@@ -193,6 +193,38 @@ class Scales(unittest.TestCase):
         np.testing.assert_allclose(values(on_map, "T below 1.5"), values(scale_filter(ball, "T", 1.5).GetPointData(), "T below 1.5"),
                                    atol=1e-9)
 
+    def test_wavelengths_that_vary(self):
+        data = plane()
+        x = values_of_points(data)[:, 0]
+        add(data.GetPointData(), "half", np.full(len(x), 0.5))
+        add(data.GetPointData(), "salt", np.full(len(x), 35.0))
+        add(data.GetPointData(), "local", np.where(x < 1, 0.02, 2))
+        same = values(scale_filter(data, "both", 1).GetPointData(), "both below 1")
+        scaled = values(scale_filter(data, "both", 2, relative_wavelengths="half").GetPointData(), "both below 2")
+        np.testing.assert_allclose(scaled, same, atol=1e-5)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of wavelengths that the mesh does not have
+            varying = scale_filter(data, ["salt", "short"], relative_wavelengths="local")
+        np.testing.assert_allclose(values(varying.GetPointData(), "salt below 1"), 35, rtol=0, atol=1e-11)
+        below, given = values(varying.GetPointData(), "short below 1"), values(data.GetPointData(), "short")
+        self.assertGreater(np.abs(below[x < 0.9]).max(), 0.95)  # a wave of 0.25 passes one of 0.02 and not one of 2
+        self.assertLess(np.abs(below[x > 1.5]).max(), 0.05)
+        self.assertAlmostEqual(np.abs(given).max(), 1)
+        self.assertEqual(spectrum(data, "both", relative_wavelengths="half").GetNumberOfRows(), 24)
+
+    def test_wrong_relative_wavelengths_are_refused_by_point(self):
+        data = plane(10)
+        x = values_of_points(data)[:, 0]
+        numbers = x + 1
+        numbers[17] = 0
+        add(data.GetPointData(), "local", numbers)
+        with self.assertRaisesRegex(FieldError, "relative wavelength of point 17 is 0"):
+            scale_filter(data, "both", relative_wavelengths="local")
+        numbers[17] = 1
+        add(data.GetPointData(), "local", numbers)
+        with self.assertRaisesRegex(FieldError, "filter flows by their parts"):
+            scale_filter(data, "U", relative_wavelengths="local", FlowKind="Wholes")
+
     def test_wrong_wavelengths_and_arrays(self):
         data = plane(10)
         for wrong, words in ((0, "wavelength 0 is not a positive"), (-1, "wavelength -1"), (float("inf"), "wavelengths = inf is out of range"),

@@ -13,12 +13,15 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPrincipalDirections.h"
+#include "vtkScaleFilter.h"
 #include "vtkSurfaceDistance.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace dmg::test
@@ -419,6 +422,36 @@ TEST(GatheredSurface, HasDistancesOverSeams)
   if (Rank() == 0)
   {
     EXPECT_NEAR(Values(measured->GetFieldData(), "LargestDistance").at(0), Pi, 0.02);
+  }
+}
+
+TEST(GatheredSurface, HasScalesOverSeams)
+{
+  const auto piece = OwnBand();
+  const auto heights = Zeros("Height", piece->GetNumberOfPoints(), 1);
+  for (vtkIdType point = 0; point < piece->GetNumberOfPoints(); ++point)
+  {
+    heights->SetValue(point, piece->GetPoint(point)[2]); // of degree 1
+  }
+  piece->GetPointData()->AddArray(heights);
+  vtkNew<vtkScaleFilter> scales;
+  scales->SetInputData(piece);
+  scales->AddArray("Height");
+  scales->AddWavelength(std::sqrt(2.0) * Pi);
+  const Messages messages(scales);
+  UpdateOwnPiece(scales);
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+  auto* const filtered = vtkDataSet::SafeDownCast(scales->GetOutputDataObject(0));
+  EXPECT_EQ(filtered->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+  auto* const spectrum = vtkTable::SafeDownCast(scales->GetOutputDataObject(1));
+  EXPECT_EQ(spectrum->GetNumberOfRows(), Rank() == 0 ? 24 : 0);
+  if (Rank() == 0)
+  {
+    vtkDataArray* const below = filtered->GetPointData()->GetScalars();
+    for (vtkIdType point = 0; point < filtered->GetNumberOfPoints(); ++point)
+    {
+      EXPECT_NEAR(below->GetComponent(point, 0), filtered->GetPoint(point)[2] / 3.0, 0.005); // a third of the wave
+    }
   }
 }
 

@@ -2,12 +2,15 @@
 
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/View/ChosenArrays.h"
+#include "Scales/ScaleFilter.h"
+#include "Support/ShortText.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace dmg
@@ -30,6 +33,21 @@ void Add(const ChosenArray& choice, vtkDataSet* dataset, QuantityArrays& quantit
   else
   {
     quantities.Functions.push_back(FindArray(choice, dataset, 1, "function", "the surface"));
+  }
+}
+
+/// \throw InvalidInput a number is zero, negative or infinite; those that are NaN are gaps.
+void CheckRelativeWavelengths(const ChosenArray& chosen)
+{
+  for (vtkIdType k = 0; chosen.Array && k < chosen.Array->GetNumberOfTuples(); ++k)
+  {
+    const double relative = chosen.Array->GetComponent(k, 0);
+    if (relative <= 0.0 || std::isinf(relative))
+    {
+      throw InvalidInput("the relative wavelength of " + std::string(chosen.OnPoints() ? "point " : "cell ") +
+        std::to_string(k) + " is " + ShortText(relative) +
+        ", and must be positive; repair it, or make it NaN where nothing is to be filtered");
+    }
   }
 }
 
@@ -82,7 +100,22 @@ std::vector<ArraysWithGaps> QuantityArrays::WithGaps() const
   {
     all.push_back({ flow.Arrays.Arrays(), flow.Arrays.AreOnPoints(), "array '" + flow.Name + "'" });
   }
+  if (const ChosenArray& relative = this->RelativeWavelengths; relative.Array)
+  {
+    all.push_back({ { relative.Array }, relative.OnPoints(), "array '" + relative.Name + "'" });
+  }
   return all;
+}
+
+std::vector<double> QuantityArrays::RelativeWavelengthsOn(const SurfaceView& view) const
+{
+  if (!this->RelativeWavelengths.Array)
+  {
+    return {};
+  }
+  const Vector<double> given = view.Numbers(this->RelativeWavelengths);
+  const Vector<double> atVertices = this->RelativeWavelengths.OnPoints() ? given : FunctionOfFaces(view.Mesh(), given);
+  return { atVertices.data(), atVertices.data() + atVertices.size() };
 }
 
 QuantityArrays FindQuantities(
@@ -111,6 +144,8 @@ QuantityArrays FindQuantities(
       "there is nothing to filter: no array is chosen, and none is active; choose arrays of numbers or of "
       "vectors, or eastward and northward components");
   }
+  quantities.RelativeWavelengths = FindArray(ChoiceOf(algorithm, 3), dataset, 1, "relative wavelengths", "the surface");
+  CheckRelativeWavelengths(quantities.RelativeWavelengths);
   return quantities;
 }
 

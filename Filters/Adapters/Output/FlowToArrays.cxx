@@ -1,6 +1,7 @@
 #include "Adapters/Output/FlowToArrays.h"
 
 #include "Adapters/Output/ContoursToPolyData.h"
+#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ElementArrays.h"
 #include "Adapters/Surface/PolyDataBuilder.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -59,6 +60,14 @@ public:
   void AddNumbers(const char* name, const Vector<double>& numbers) const
   {
     this->View.Output()->GetFieldData()->AddArray(NewArray<vtkDoubleArray>(name, 1, numbers));
+  }
+
+  void AllowNaNAtPoints(const std::vector<const char*>& names) const
+  {
+    for (const char* const name : names)
+    {
+      AllowNaN(this->View.Output()->GetPointData()->GetAbstractArray(name));
+    }
   }
 
 private:
@@ -170,6 +179,20 @@ void AddReport(const DecomposedFlow& parts, const SolveReport* report, vtkFieldD
   data->AddArray(NewValue<vtkDoubleArray>(ArrayNames::SolverBytes, static_cast<double>(report->Bytes)));
 }
 
+/// \return what the user should know of them.
+std::string AddDerivatives(
+  const FlowArrays& arrays, const DerivativesAtVertices& derivatives, const SidesOfSurface& sides, double scale)
+{
+  arrays.AddFunction(Divergence, derivatives.Divergence, 1.0 / scale);
+  arrays.AddFunction(Vorticity, Vector<double>(derivatives.Vorticity.cwiseProduct(sides.OfVertices)), 1.0 / scale);
+  std::string warning = WarningOfUndetermined(derivatives);
+  if (!warning.empty())
+  {
+    arrays.AllowNaNAtPoints({ Divergence, Vorticity });
+  }
+  return warning;
+}
+
 void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double scale)
 {
   Vector<double> energies(5);
@@ -220,7 +243,7 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 
 }
 
-void WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, const FaceFlow& flow,
+std::string WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, const FaceFlow& flow,
   const FlowOptions& options, const SurfaceView& view, vtkPolyData* streamlines, vtkPolyData* boundaries,
   const ExecutionContext& context)
 {
@@ -242,12 +265,8 @@ void WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, c
   }
   arrays.AddFunction(Potential, parts.Potential, scale);
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
-  if (options.Derivatives)
-  {
-    const DerivativesAtVertices derivatives = flow.Derivatives(context);
-    arrays.AddFunction(Divergence, derivatives.Divergence, 1.0 / scale);
-    arrays.AddFunction(Vorticity, Vector<double>(derivatives.Vorticity.cwiseProduct(sides.OfVertices)), 1.0 / scale);
-  }
+  const std::string warning =
+    options.Derivatives ? AddDerivatives(arrays, flow.Derivatives(context), sides, scale) : "";
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, decomposition.Boundaries(), view.Relation(), scale);
   if (options.IsOfCentres)
@@ -265,6 +284,7 @@ void WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, c
     view.LinesBack(streamlines);
   }
   context.Checkpoint(1.0);
+  return warning;
 }
 
 }

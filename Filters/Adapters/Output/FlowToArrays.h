@@ -6,6 +6,8 @@
 #include "Flows/HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
 
+#include <string>
+
 class vtkPolyData;
 
 namespace dmg
@@ -25,8 +27,9 @@ struct FlowOptions
 
 /// Adds the arrays of vtkHodgeDecomposition to the output of a view.
 /// \param streamlines, boundaries empty outputs; become the contours of the stream function, and the boundaries of the surface.
+/// \return a warning of what is NaN, empty where nothing is.
 /// \throw InvalidInput there is no boundary of the number ReferenceBoundary.
-void WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, const FaceFlow& flow,
+std::string WriteFlow(const DecomposedFlow& parts, HodgeDecomposition& decomposition, const FaceFlow& flow,
   const FlowOptions& options, const SurfaceView& view, vtkPolyData* streamlines, vtkPolyData* boundaries,
   const ExecutionContext& context);
 

@@ -68,7 +68,10 @@ public:
   {
     if (this->Options.Wavelengths.empty())
     {
-      this->Options.Wavelengths = { Rounded(CellsOfDefault * this->Sizes.MeanEdge * of.Given.LengthScale) };
+      const bool varies = !of.Given.RelativeWavelengths.empty();
+      this->Options.Wavelengths = {
+        varies ? 1.0 : Rounded(CellsOfDefault * this->UnitOfWavelengths() * this->Sizes.MeanEdge)
+      };
     }
   }
 
@@ -92,6 +95,8 @@ private:
   void Take(const SolveReport& report);
   StoppingCriteria Stop() const { return { this->Options.Tolerance, MostIterations }; }
   double Mean(const Vector<double>& f) const;
+  /// The wavelength of a length of the points; the middle one where wavelengths vary.
+  double UnitOfWavelengths() const;
 
   ScaleSurface& Of;
   ScaleOptions Options;
@@ -157,6 +162,18 @@ double ScaleSurface::Run::Mean(const Vector<double>& f) const
 {
   const Vector<double>& areas = this->Of.Functions->Areas();
   return areas.dot(f) / areas.sum();
+}
+
+double ScaleSurface::Run::UnitOfWavelengths() const
+{
+  std::vector<double> relative = this->Of.Given.RelativeWavelengths;
+  if (relative.empty())
+  {
+    return this->Of.Given.LengthScale;
+  }
+  const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
+  std::nth_element(relative.begin(), middle, relative.end());
+  return this->Of.Given.LengthScale / *middle;
 }
 
 void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context)
@@ -267,7 +284,7 @@ void ScaleSurface::Run::AddWavelength(double wavelength, const ExecutionContext&
 
 void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& context)
 {
-  const double scale = this->Of.Given.LengthScale;
+  const double scale = this->UnitOfWavelengths();
   const double from =
     this->Options.SpectrumFrom > 0.0 ? this->Options.SpectrumFrom : 4.0 * this->Sizes.MeanEdge * scale;
   const double longest = std::max(2.0 * std::sqrt(this->Sizes.Area) * scale, 2.0 * from);
@@ -378,6 +395,7 @@ ScaleFilterOptions ScaleSurface::OptionsOf(ScaledQuantity quantity) const
   options.Order = this->Given.Order;
   options.LengthScale = this->Given.LengthScale;
   options.Solver.Kind = this->Given.Solver;
+  options.RelativeWavelengths = this->Given.RelativeWavelengths;
   return options;
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkTable;
@@ -23,9 +24,10 @@ namespace dmg
 /// The results of a scale filter that somebody wants.
 struct ScaleOptions
 {
-  std::vector<double> Wavelengths; ///< in the unit of the points times the length scale; empty: one of ten mean edges
-  bool AreWholes = false;          ///< vectors are filtered as wholes rather than by their parts
-  bool PartsApart = false;         ///< of flows that are not, both parts are written, too
+  std::vector<double>
+    Wavelengths; ///< in the unit of the points times the length scale; empty: one of ten mean edges, or 1 where it varies
+  bool AreWholes = false;  ///< vectors are filtered as wholes rather than by their parts
+  bool PartsApart = false; ///< of flows that are not, both parts are written, too
   double Tolerance = 1e-6;
   bool HasSpectrum = true;
   double SpectrumFrom = 0.0; ///< wavelengths; 0: four mean edges
@@ -45,12 +47,18 @@ public:
     double LengthScale = 1.0;
     SolverKind Solver = SolverKind::Automatic;
     FlowBoundary Boundary = FlowBoundary::Closed;
-    bool IsGlobe = false; ///< see HodgeDecomposition
+    bool IsGlobe = false;                         ///< see HodgeDecomposition
+    std::vector<double> RelativeWavelengths = {}; ///< see ScaleFilterOptions
 
     bool IsEqual(const Settings& other) const
     {
-      return this->Order == other.Order && this->LengthScale == other.LengthScale && this->Solver == other.Solver &&
-        this->Boundary == other.Boundary && this->IsGlobe == other.IsGlobe;
+      const auto members = [](const Settings& settings)
+      {
+        const auto& [order, scale, solver, boundary, isGlobe, relative] =
+          settings; // all of them, or it does not compile
+        return std::tie(order, scale, solver, boundary, isGlobe, relative);
+      };
+      return members(*this) == members(other);
     }
   };
 

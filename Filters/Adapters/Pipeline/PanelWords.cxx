@@ -80,6 +80,7 @@ std::string PanelTextOf(Remedy remedy)
       "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less",
     "remove triangles without area with Cell Size, Threshold of Area and Extract Surface (vtkCellSizeFilter, "
     "vtkThreshold, vtkGeometryFilter)",
+    "triangulate its points anew, in a plane with Delaunay 2D (vtkDelaunay2D)",
     "with Calculator (vtkArrayCalculator) for example",
   };
   return Texts[static_cast<std::size_t>(remedy)];

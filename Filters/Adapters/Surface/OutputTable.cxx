@@ -156,6 +156,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkScaleFilter", 0, Iterations, Field, AnyNumber },
     { "vtkScaleFilter", 0, Converged, Field, 1 },
     { "vtkScaleFilter", 0, "CellsWithoutData", Field, 1 },
+    { "vtkScaleFilter", 0, PositiveSide, Field, 1 },
     { "vtkScaleFilter", 1, Wavelength, Columns, 1 },
     { "vtkScaleFilter", 1, Wavenumber, Columns, 1 },
 

@@ -24,7 +24,7 @@ struct OutputArray
   int Port;
   const char* Name;
   unsigned Places; ///< the sum of them
-  int Components; ///< or the largest int, where the input says how many
+  int Components;  ///< or the largest int, where the input says how many
   /// Names that end with a number have one from First to Last; others have Last < First.
   int First = 0, Last = -1;
 

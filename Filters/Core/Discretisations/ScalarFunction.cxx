@@ -90,9 +90,10 @@ void AddPinned(FieldConstraints& constraints)
 
 }
 
-ScalarFunction::ScalarFunction(const FramedMesh& surface, VertexAreas areas)
+ScalarFunction::ScalarFunction(const FramedMesh& surface, VertexAreas areas, std::vector<double> conductivity)
   : VertexDiscretisation(surface)
   , Areas(areas)
+  , Conductivity(std::move(conductivity))
   , Components(VertexComponents(surface.Mesh))
 {
 }
@@ -107,7 +108,7 @@ std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Coarsen(
 {
   std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, linear.All(), context);
   linear.Forget();
-  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
+  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context, this->Conductivity);
   return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
 }
 
@@ -125,7 +126,7 @@ std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Assemble(
     CheckOperators(!operators->S0.empty(), Remedy::PowerFieldOperators);
     prolongations = operators->S0;
   }
-  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
+  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context, this->Conductivity);
   return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
 }
 
@@ -140,7 +141,7 @@ SolverTuning ScalarFunction::Tuning() const
 
 SparseMatrix<Complex> ScalarFunction::Stiffness(const ExecutionContext& context) const
 {
-  return CotangentLaplacian(this->Surface.Mesh, context).cast<Complex>();
+  return CotangentLaplacian(this->Surface.Mesh, context, this->Conductivity).cast<Complex>();
 }
 
 SparseMatrix<Complex> ScalarFunction::ProlongationOfUnknowns(

@@ -19,8 +19,8 @@ namespace dmg
 class ScalarFunction : public VertexDiscretisation
 {
 public:
-  /// \param areas Star0.
-  ScalarFunction(const FramedMesh& surface, VertexAreas areas);
+  /// \param areas Star0. \param conductivity that of the cotangent Laplacian.
+  ScalarFunction(const FramedMesh& surface, VertexAreas areas, std::vector<double> conductivity = {});
 
   std::string Name() const override
   {
@@ -73,6 +73,7 @@ private:
   void AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const;
 
   const VertexAreas Areas;
+  const std::vector<double> Conductivity;
   const std::vector<int> Components; ///< by vertex
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dmg
 {
@@ -29,24 +30,24 @@ public:
     ++this->Equations;
   }
 
-  /// \return whether the equations determine the solution; else it is the least one of several.
+  /// Finds the solution. \return whether the equations determine it; else there is none.
   bool Solve()
   {
     constexpr double SmallestShare = 1e-3;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> spectrum(this->Products);
     const Row& energies = spectrum.eigenvalues();
-    const double smallest = SmallestShare * 6.0 / Size * std::max(this->Equations, 1);
+    if (!(energies[0] > SmallestShare * 6.0 / Size * this->Equations))
+    {
+      return false;
+    }
     this->Solution.setZero();
     for (int k = 0; k < Size; ++k)
     {
-      if (energies[k] > smallest)
-      {
-        const Row mode = spectrum.eigenvectors().col(k);
-        const Number ofMode = mode.template cast<Number>().dot(this->Values);
-        this->Solution += ofMode / energies[k] * mode;
-      }
+      const Row mode = spectrum.eigenvectors().col(k);
+      const Number ofMode = mode.template cast<Number>().dot(this->Values);
+      this->Solution += ofMode / energies[k] * mode;
     }
-    return energies[0] > smallest;
+    return true;
   }
 
   Eigen::Matrix<Number, Size, 1> Solution;
@@ -95,32 +96,37 @@ private:
   LeastSquares<Complex, 3> Flow;
 };
 
-/// A linear flow, from its components along given directions; places as in FitOfVectors.
-class FitOfComponents
+/// A linear flow, from its integrals along straight lines. Places are scaled as in FitOfVectors, and the flow with them, so that its integrals stay:
+/// X . dx = X' . dq for q = S x and X = S^T X'. So the directions of the lines spread, too.
+class FitOfIntegrals
 {
 public:
-  explicit FitOfComponents(const Eigen::Matrix2d& scaling)
+  explicit FitOfIntegrals(const Eigen::Matrix2d& scaling)
     : Scaling(scaling)
   {
   }
 
-  /// \param direction a unit vector along which the flow has the value.
-  void Add(Complex place, Complex direction, double value)
+  void Add(Complex tail, Complex head, double integral)
   {
-    const Vector2 q = this->Scaling * AsVector(place);
-    const Vector2 d = AsVector(direction);
-    LeastSquares<double, 6>::Row row;
-    row << d, q[0] * d, q[1] * d;
-    this->Flow.Add(row, value);
+    const Vector2 way = this->Scaling * AsVector(head - tail);
+    const double length = way.norm();
+    if (length > 0.0)
+    {
+      const Vector2 middle = this->Scaling * AsVector(0.5 * (tail + head));
+      const Vector2 d = way / length;
+      LeastSquares<double, 6>::Row row;
+      row << d, middle[0] * d, middle[1] * d;
+      this->Flow.Add(row, integral / length);
+    }
   }
 
   bool Solve() { return this->Flow.Solve(); }
 
   Eigen::Matrix2d Derivatives() const
   {
-    Eigen::Matrix2d alongScaled;
-    alongScaled << this->Flow.Solution.segment<2>(2), this->Flow.Solution.segment<2>(4);
-    return alongScaled * this->Scaling;
+    Eigen::Matrix2d scaled;
+    scaled << this->Flow.Solution.segment<2>(2), this->Flow.Solution.segment<2>(4);
+    return this->Scaling.transpose() * scaled * this->Scaling;
   }
 
 private:
@@ -227,11 +233,16 @@ DerivativesAtVertices Fit(
     {
       LinearFit fit(around.Scaling());
       addTo(around, fit);
-      if (fit.Solve() || ring == MostRings)
+      if (fit.Solve())
       {
         const Eigen::Matrix2d of = fit.Derivatives();
         derivatives.Divergence[vertex] = of.trace();
         derivatives.Vorticity[vertex] = of(1, 0) - of(0, 1);
+        return;
+      }
+      if (ring == MostRings)
+      {
+        derivatives.Divergence[vertex] = derivatives.Vorticity[vertex] = std::numeric_limits<double>::quiet_NaN();
         return;
       }
       around.Grow();
@@ -274,6 +285,17 @@ Vector<double> VorticityOfForm(const TriangleMesh& mesh, const Vector<double>& f
   return vorticity;
 }
 
+}
+
+std::string WarningOfUndetermined(const DerivativesAtVertices& derivatives)
+{
+  const Eigen::Index number = derivatives.Divergence.array().isNaN().count();
+  const bool isVorticityToo = derivatives.Vorticity.array().isNaN().any();
+  return number > 0 ? (isVorticityToo ? "Divergence and vorticity are" : "Divergence is") + std::string(" NaN at ") +
+      std::to_string(number) +
+      " points, where the cells around do not determine a linear flow, as in straits one cell wide; vectors of points "
+      "would determine it"
+                    : "";
 }
 
 Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation)
@@ -334,8 +356,8 @@ DerivativesAtVertices DerivativesOfForm(const FramedMesh& surface, const Surface
   const Vector<double>& form, const std::vector<char>& isGiven, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = surface.Mesh;
-  DerivativesAtVertices derivatives = Fit<FitOfComponents>(surface, relation, context,
-    [&](const Neighbourhood& around, FitOfComponents& fit)
+  DerivativesAtVertices derivatives = Fit<FitOfIntegrals>(surface, relation, context,
+    [&](const Neighbourhood& around, FitOfIntegrals& fit)
     {
       for (const int face : around.Faces)
       {
@@ -352,11 +374,7 @@ DerivativesAtVertices DerivativesOfForm(const FramedMesh& surface, const Surface
           }
           const Complex tail = around.Place(mesh.Position(mesh.Tail(h)));
           const Complex head = around.Place(mesh.Position(mesh.Head(h)));
-          const Complex way = head - tail;
-          if (std::abs(way) > 0.0)
-          {
-            fit.Add(0.5 * (tail + head), way / std::abs(way), mesh.EdgeSign(h) * form[edge] / length);
-          }
+          fit.Add(tail, head, std::abs(head - tail) / length * mesh.EdgeSign(h) * form[edge]);
         }
       }
     });

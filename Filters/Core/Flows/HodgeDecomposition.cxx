@@ -2,6 +2,7 @@
 
 #include "Directions/PowerFieldDirections.h"
 #include "Flows/HarmonicFlows.h"
+#include "Mesh/TriangleQuality.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
@@ -19,6 +20,15 @@ namespace
 constexpr Complex QuarterTurn(0.0, 1.0);
 /// A larger share of the energy that parts have in common is said.
 constexpr double LargestOverlap = 1e-8;
+/// A larger share of caps in the area is said.
+constexpr double LargestShareOfCaps = 0.1;
+
+std::string WarningOfCaps(const CapFaces& caps)
+{
+  return std::to_string(std::lround(100.0 * caps.Share)) +
+    " % of the surface have triangles with an angle above 150 degrees, where parts are as inaccurate as on triangles " +
+    ShortText(0.1 * std::round(10.0 * caps.RelativeRadius)) + " times as large; " + TextOf(Remedy::Retriangulate);
+}
 
 /// Squares of the flow, and of what is computed of it, stay far from the largest and smallest doubles in this range.
 constexpr double SmallestFlow = 1e-40;
@@ -68,6 +78,7 @@ public:
     const Vector<Complex>& flow, const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
   void AddBoundaries(DecomposedFlow& parts) const;
   void SeeFromPositiveSide(DecomposedFlow& parts) const;
+  void WarnOfCaps(DecomposedFlow& parts, const ExecutionContext& context);
   void MakeBasis(const ExecutionContext& context);
   double Norm(const Vector<Complex>& X) const { return FlowProduct(this->Areas, X, X); }
 
@@ -78,6 +89,7 @@ public:
   FlowPotentials Potentials;
   std::optional<Eigen::MatrixXd> Basis;
   std::optional<Unfilled<Corner>> CornersOfFaces;
+  std::optional<CapFaces> Caps;
   int Bases = 0;
   int Solves = 0;
 
@@ -181,6 +193,18 @@ void HodgeDecomposition::Internals::SeeFromPositiveSide(DecomposedFlow& parts) c
   }
 }
 
+void HodgeDecomposition::Internals::WarnOfCaps(DecomposedFlow& parts, const ExecutionContext& context)
+{
+  if (!this->Caps)
+  {
+    this->Caps = FindCaps(this->Geometry.Mesh, context);
+  }
+  if (this->Caps->Share > LargestShareOfCaps)
+  {
+    parts.Warnings.push_back(WarningOfCaps(*this->Caps));
+  }
+}
+
 HodgeDecomposition::HodgeDecomposition(
   const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options, bool isGlobe)
   : Internal(std::make_unique<Internals>(surface, boundary, options, isGlobe))
@@ -243,6 +267,10 @@ DecomposedFlow HodgeDecomposition::Decompose(
   {
     parts.Warnings.push_back("The parts have " + ShortText(overlap / parts.Energy) +
       " of the energy in common, as some triangles are too thin, or the solver has not converged.");
+  }
+  if (wanted.Gradient || wanted.Rotational || wanted.Harmonic || wanted.Steering)
+  {
+    of.WarnOfCaps(parts, context);
   }
   context.Checkpoint(1.0);
   return parts;

@@ -1,7 +1,7 @@
 #include "Geodesics/ParallelTransport.h"
 
+#include "Analysis/EdgeDistances.h"
 #include "Geodesics/DiffusionOperators.h"
-#include "Geodesics/EdgeDistances.h"
 #include "Geodesics/IntrinsicTriangulation.h"
 #include "Geodesics/ShortestPaths.h"
 #include "Mesh/VertexConnection.h"

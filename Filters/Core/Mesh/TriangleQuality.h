@@ -15,6 +15,19 @@ double TriangleQuality(const TriangleMesh& mesh, int face);
 /// Cost: linear in the number of faces.
 double ShareOfFacesBelow(double quality, const TriangleMesh& mesh, const ExecutionContext& context);
 
+/// Caps: faces with an angle above 150 degrees, whose circumscribed circles have radii above their longest sides. Gradients of functions that are
+/// linear on faces are accurate to the radius of this circle, not to the longest side (Kobayashi and Tsuchiya, "A Babuska-Aziz type proof
+/// of the circumradius condition", 2014). Right triangles are accurate to half of their longest side, however thin they are.
+struct CapFaces
+{
+  double Share = 0.0; ///< of the area
+  /// The mean of these radii over that of the longest sides of the faces, halved; both by area. It is above 1.
+  double RelativeRadius = 0.0;
+};
+
+/// Cost: linear in the number of faces.
+CapFaces FindCaps(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+
 }
 
 #endif

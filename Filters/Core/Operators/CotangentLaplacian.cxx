@@ -6,9 +6,15 @@
 namespace dmg
 {
 
-SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
+SparseMatrix<double> CotangentLaplacian(
+  const TriangleMesh& mesh, const ExecutionContext& context, const std::vector<double>& conductivity)
 {
-  const Vector<double> star1 = Star1(mesh);
+  Vector<double> star1 = Star1(mesh);
+  for (int edge = 0; edge < mesh.NumberOfEdges() && !conductivity.empty(); ++edge)
+  {
+    const int h = mesh.HalfedgeOf(edge);
+    star1[edge] *= 0.5 * (conductivity[mesh.Tail(h)] + conductivity[mesh.Head(h)]);
+  }
   return AssembleMatrix<double>(mesh.NumberOfVertices(), mesh.NumberOfVertices(), context,
     [&](int vertex, RowEntries<double>& row)
     {

@@ -1,6 +1,7 @@
 #include "Scales/ScaleFilter.h"
 
 #include "Discretisations/MakeDiscretisation.h"
+#include "Discretisations/ScalarFunction.h"
 #include "Discretisations/VertexDiscretisation.h"
 #include "Mesh/SurfaceSizes.h"
 #include "Operators/ExteriorCalculus.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -48,6 +50,47 @@ FieldOptions OptionsOf(const ScaleFilterOptions& asked)
   return options;
 }
 
+/// c^2 is a conductivity.
+std::unique_ptr<const Discretisation> FieldOf(const ScaleFilterOptions& asked, const FramedMesh& surface)
+{
+  const DiscretisationOptions field = OptionsOf(asked).Field;
+  if (asked.RelativeWavelengths.empty())
+  {
+    return MakeDiscretisation(field, surface);
+  }
+  std::vector<double> conductivity;
+  std::transform(asked.RelativeWavelengths.begin(), asked.RelativeWavelengths.end(), std::back_inserter(conductivity),
+    [](double relative) { return relative * relative; });
+  return std::make_unique<ScalarFunction>(surface, field.Areas, std::move(conductivity));
+}
+
+void CheckRelativeWavelengths(const ScaleFilterOptions& options, int vertices)
+{
+  const std::vector<double>& relative = options.RelativeWavelengths;
+  if (relative.empty())
+  {
+    return;
+  }
+  if (options.Quantity == ScaledQuantity::Vectors)
+  {
+    throw InvalidInput(
+      "vectors have relative wavelengths, and the scale filter knows them of functions alone; filter flows by their "
+      "parts, or give none");
+  }
+  if (relative.size() != static_cast<std::size_t>(vertices))
+  {
+    throw InvalidInput("there are " + std::to_string(relative.size()) + " relative wavelengths for " +
+      std::to_string(vertices) + " vertices; give one for each");
+  }
+  const auto wrong = std::find_if(
+    relative.begin(), relative.end(), [](double number) { return !(number > 0.0 && std::isfinite(number)); });
+  if (wrong != relative.end())
+  {
+    throw InvalidInput("the relative wavelength at vertex " + std::to_string(wrong - relative.begin()) + " is " +
+      ShortText(*wrong) + ", and must be positive and finite; repair it");
+  }
+}
+
 void CheckOptions(const ScaleFilterOptions& options, int vertices)
 {
   if (options.Order != 1 && options.Order != 2)
@@ -59,6 +102,7 @@ void CheckOptions(const ScaleFilterOptions& options, int vertices)
   {
     throw InvalidInput("vectors have fixed vertices, and the scale filter knows them of functions alone; give none");
   }
+  CheckRelativeWavelengths(options, vertices);
   for (std::size_t k = 0; k < options.Fixed.size(); ++k)
   {
     const int vertex = options.Fixed[k];
@@ -77,6 +121,16 @@ void CheckWavelength(double wavelength)
     throw InvalidInput("the wavelength " + ShortText(wavelength) +
       " is not a positive number; give a length in the unit of the points, times the length scale where there is one");
   }
+}
+
+double LeastOf(const std::vector<double>& relative)
+{
+  return relative.empty() ? 1.0 : *std::min_element(relative.begin(), relative.end());
+}
+
+double MostOf(const std::vector<double>& relative)
+{
+  return relative.empty() ? 1.0 : *std::max_element(relative.begin(), relative.end());
 }
 
 /// A power of two near the largest magnitude, for cycles that compute in single precision.
@@ -173,6 +227,7 @@ private:
   const double LengthScale;
   const SolverOptions Options;
   const SurfaceSizes Sizes;
+  const double Least, Most;          ///< of relative wavelengths
   const double MeanArea;             ///< of vertices
   const std::vector<int> Components; ///< by vertex; empty for vectors, which have no means
   const std::vector<int> FixedVertices;
@@ -192,19 +247,24 @@ private:
 
 ScaleFilter::Internals::Internals(
   SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
-  : Field(MakeDiscretisation(OptionsOf(options).Field, setups.Surface))
+  : Field(FieldOf(options, setups.Surface))
   , Areas(this->Field->AtVertices()->AreasOfVertices(context))
   , Order(options.Order)
   , LengthScale(options.LengthScale)
   , Options(OptionsOf(options).Solver)
   , Sizes(SizesOf(setups.Surface.Mesh))
+  , Least(LeastOf(options.RelativeWavelengths))
+  , Most(MostOf(options.RelativeWavelengths))
   , MeanArea(this->Areas.mean())
   , Components(
       options.Quantity == ScaledQuantity::Function ? VertexComponents(setups.Surface.Mesh) : std::vector<int>())
   , FixedVertices(options.Fixed)
 {
   CheckOptions(options, setups.Surface.Mesh.NumberOfVertices());
-  this->Setup = setups.Take(*this->Field, OptionsOf(options), nullptr, context);
+  // A set-up of a conductivity of its own serves nobody else.
+  SetupCache own(setups.Surface);
+  SetupCache& from = options.RelativeWavelengths.empty() ? setups : own;
+  this->Setup = from.Take(*this->Field, OptionsOf(options), nullptr, context);
   const StiffnessHierarchy& hierarchy = *this->Setup.Levels->Hierarchy;
   const int size = hierarchy.NumberOfUnknowns();
   this->Mass.resize(size);
@@ -266,21 +326,22 @@ double ScaleFilter::Internals::ShiftOf(double wavelength) const
 void ScaleFilter::Internals::WarnOf(double wavelength)
 {
   this->Warnings.clear();
-  const double cells = wavelength / this->LengthScale / this->Sizes.MeanEdge;
+  const double shortest = this->Least * wavelength;
+  const double cells = shortest / this->LengthScale / this->Sizes.MeanEdge;
   const double longest = 2.0 * std::sqrt(this->Sizes.Area) * this->LengthScale;
   if (cells < FewestCells)
   {
     const double kept = AmplitudeBelow(cells, LengthOnMesh(cells), this->Order);
-    this->Warnings.push_back("The wavelength " + ShortText(wavelength) + " is " + ShortText(cells) +
+    this->Warnings.push_back("The wavelength " + ShortText(shortest) + " is " + ShortText(cells) +
       " mean edges, fewer than 4, and is not resolved: " +
       (cells < 2.0 ? "the shortest waves there are, of two edges," : "such waves") + " keep about " + ShortText(kept) +
       " of their amplitude in place of " + (cells < 2.0 ? "a smaller share." : "a third."));
   }
-  else if (wavelength > longest)
+  else if (this->Most * wavelength > longest)
   {
-    this->Warnings.push_back("The wavelength " + ShortText(wavelength) +
+    this->Warnings.push_back("The wavelength " + ShortText(this->Most * wavelength) +
       " is longer than the surface: its longest waves, of about " + ShortText(longest) + ", keep " +
-      ShortText(AmplitudeBelow(wavelength, longest, this->Order)) + " of their amplitude.");
+      ShortText(AmplitudeBelow(this->Most * wavelength, longest, this->Order)) + " of their amplitude.");
   }
 }
 
@@ -295,7 +356,7 @@ void ScaleFilter::Internals::TakeWavelength(double wavelength, const ExecutionCo
   const Stopwatch watch;
   this->Wavelength = 0.0;
   this->Shift = std::min(this->ShiftOf(wavelength / this->LengthScale), LargestShift * this->LargestEigenvalue);
-  this->ShiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal()));
+  this->ShiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal() / this->Least));
   this->ShiftedStiffness->SetDiagonal(this->Diagonal(this->Shift), context);
   this->Squared->SetShift(this->Shift);
   const Vector<double> D = this->Diagonal(this->ShiftOfInverse);

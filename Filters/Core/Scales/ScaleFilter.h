@@ -34,6 +34,9 @@ struct ScaleFilterOptions
   /// Vertices, ascending, at which a function keeps its values, as a stream function does along a coast. Nothing is above there, and the
   /// harmonic function of these values stays below all wavelengths, as means do elsewhere. Not of vectors.
   std::vector<int> Fixed;
+  /// A wavelength that varies: at each vertex it is so many times that of Split, > 0. Empty: 1 everywhere. Constants and means stay, since c^2 scales the
+  /// conductivity of the Laplacian. Not of vectors.
+  std::vector<double> RelativeWavelengths;
   /// The length of the unit of the points, in the unit of wavelengths.
   double LengthScale = 1.0;
   /// Kind, ExpectedSolves and Sweeps count. Full multigrid is taken as Automatic.
@@ -74,7 +77,8 @@ class ScaleFilter
 {
 public:
   /// \param surface is borrowed.
-  /// \throw InvalidInput the order is neither 1 nor 2; fixed vertices are out of range or not ascending, or are of vectors.
+  /// \throw InvalidInput the order is neither 1 nor 2; fixed vertices are out of range or not ascending, or are of vectors; so relative
+  ///   wavelengths, where they are not positive and finite, or not one per vertex.
   /// \throw SolverFailure, Cancelled
   explicit ScaleFilter(const FramedMesh& surface, const ScaleFilterOptions& options = {},
     const ExecutionContext& context = SerialContext());

@@ -49,6 +49,7 @@ std::string TextOf(Remedy remedy)
     "PrepareSurface, which cuts the surface",
     "turn one of them, or let PrepareSurface turn and cut the surface",
     "remove the triangles without area",
+    "triangulate its points anew",
     "by one factor for all",
   };
   return Texts[static_cast<std::size_t>(remedy)];

@@ -52,6 +52,7 @@ enum class Remedy
   CutApart,
   Orient,
   DropWithoutArea,
+  Retriangulate,
   Rescale,
   Count ///< of these
 };

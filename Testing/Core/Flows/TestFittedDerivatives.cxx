@@ -120,6 +120,23 @@ void ExpectConstant(const DerivativesAtVertices& derivatives)
   }
 }
 
+/// The derivatives of the linear flow by its integrals along the edges of cells.
+DerivativesAtVertices DerivativesByEdges(const FramedMesh& surface, const SurfaceRelation& relation)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  Vector<double> form = Vector<double>::Zero(mesh.NumberOfEdges());
+  std::vector<char> isKnown(form.size(), 0);
+  for (const int edge : relation.Edges())
+  {
+    const auto [a, b] = mesh.EdgeVertices(edge);
+    form[edge] = Linear(0.5 * (mesh.Position(a) + mesh.Position(b))).dot(mesh.Position(b) - mesh.Position(a));
+    isKnown[edge] = 1;
+  }
+  const std::vector<char> isGiven = isKnown;
+  EXPECT_EQ(FillDiagonals(mesh, relation, form, isKnown), -1);
+  return DerivativesOfForm(surface, relation, form, isGiven);
+}
+
 /// A disc of rings and spokes, whose innermost quadrilaterals have the middle as two corners.
 PolygonSurface PolarDisc(int rings, int spokes)
 {
@@ -267,17 +284,7 @@ TEST(FittedDerivatives, AreExactForLinearFlowsOnAnyPlanarMesh)
     const Points centres = CellCentres(mesh, prepared.Relation);
     ExpectConstant(DerivativesOfCellVectors(surface, prepared.Relation, Sampled(centres, Linear), centres));
 
-    Vector<double> form = Vector<double>::Zero(mesh.NumberOfEdges());
-    std::vector<char> isKnown(form.size(), 0);
-    for (const int edge : prepared.Relation.Edges())
-    {
-      const auto [a, b] = mesh.EdgeVertices(edge);
-      form[edge] = Linear(0.5 * (mesh.Position(a) + mesh.Position(b))).dot(mesh.Position(b) - mesh.Position(a));
-      isKnown[edge] = 1;
-    }
-    const std::vector<char> isGiven = isKnown;
-    ASSERT_EQ(FillDiagonals(mesh, prepared.Relation, form, isKnown), -1);
-    ExpectConstant(DerivativesOfForm(surface, prepared.Relation, form, isGiven));
+    ExpectConstant(DerivativesByEdges(surface, prepared.Relation));
   }
 }
 
@@ -306,6 +313,45 @@ TEST(FittedDerivatives, OfVectorsAtTheCornersOfAStripOfOneCellAreExact)
   const PreparedSurface strip = Quads(10, 1, 0.0);
   const FramedMesh surface(TriangleMesh(strip.Mesh));
   ExpectConstant(DerivativesOfVertexVectors(surface, strip.Relation, Sampled(surface.Mesh.VertexPositions(), Linear)));
+}
+
+TEST(FittedDerivatives, OfIntegralsAlongEdgesAreExactOnThinAndOnShearedTriangles)
+{
+  for (const auto& [stretch, shear] : { std::pair{ 50.0, 0.0 }, { 1.0, 10.0 }, { 20.0, 7.0 } })
+  {
+    SCOPED_TRACE(std::to_string(stretch) + ", sheared by " + std::to_string(shear));
+    for (Surface surface : { PlaneGrid(8, 8), IrregularPlane(8, 8, 5) })
+    {
+      surface.V.col(0) = stretch * surface.V.col(0) + shear * surface.V.col(1);
+      const PreparedSurface prepared = PreparedFrom(surface);
+      ExpectConstant(DerivativesByEdges(FramedMesh(TriangleMesh(prepared.Mesh)), prepared.Relation));
+    }
+  }
+}
+
+// Cells in a row know nothing of the derivatives across. Neither do integrals along edges, but for the vorticity.
+TEST(FittedDerivatives, AreNaNWhereTheDataDoNotDetermineThem)
+{
+  for (const PreparedSurface& strip : { Quads(10, 1, 0.0), PreparedFrom(PlaneGrid(10, 1)) })
+  {
+    const FramedMesh surface(TriangleMesh(strip.Mesh));
+    const bool areQuads = strip.Relation.FacesOf(0).size() == 2;
+    if (areQuads)
+    {
+      const Points centres = CellCentres(surface.Mesh, strip.Relation);
+      const DerivativesAtVertices ofCells =
+        DerivativesOfCellVectors(surface, strip.Relation, Sampled(centres, Linear), centres);
+      EXPECT_TRUE(ofCells.Divergence.array().isNaN().all());
+      EXPECT_TRUE(ofCells.Vorticity.array().isNaN().all());
+      EXPECT_NE(
+        WarningOfUndetermined(ofCells).find("Divergence and vorticity are NaN at 22 points"), std::string::npos);
+    }
+    const DerivativesAtVertices ofEdges = DerivativesByEdges(surface, strip.Relation);
+    EXPECT_TRUE(ofEdges.Divergence.array().isNaN().all());
+    EXPECT_NEAR(ofEdges.Vorticity.minCoeff(), 7.0, 1e-12);
+    EXPECT_NEAR(ofEdges.Vorticity.maxCoeff(), 7.0, 1e-12);
+    EXPECT_NE(WarningOfUndetermined(ofEdges).find("Divergence is NaN at 22 points"), std::string::npos);
+  }
 }
 
 TEST(FittedDerivatives, ConvergeOnTheSphere)

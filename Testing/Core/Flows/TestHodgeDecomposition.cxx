@@ -646,6 +646,28 @@ TEST(HodgeDecomposition, DegenerateFacesAreNoObstacle)
   EXPECT_LT(RelativeError(parts.StreamFunction, AtVertices(sphere.Mesh, Wave)), 0.1);
 }
 
+TEST(HodgeDecomposition, SaysWhereTrianglesHaveWideAngles)
+{
+  for (const double shear : { 0.0, 7.0 })
+  {
+    Surface surface = PlaneGrid(20, 20);
+    surface.V.col(0) += shear * surface.V.col(1);
+    const FramedMesh plane(surface.Mesh());
+    HodgeDecomposition hodge(plane, FlowBoundary::Closed);
+    const Vector<Complex> flow = Vector<Complex>::Ones(plane.Mesh.NumberOfFaces());
+    EXPECT_TRUE(hodge.Decompose(flow, { false, false, false }).Warnings.empty());
+    const std::vector<std::string> warnings = hodge.Decompose(flow).Warnings;
+    ASSERT_EQ(warnings.size(), shear > 0.0 ? 1u : 0u);
+    if (shear > 0.0)
+    {
+      EXPECT_EQ(warnings[0],
+        "100 % of the surface have triangles with an angle above 150 degrees, where parts are as inaccurate as on "
+        "triangles 7.1 times as "
+        "large; triangulate its points anew");
+    }
+  }
+}
+
 TEST(HodgeDecomposition, WrongFlowsAreNamed)
 {
   const FramedMesh sphere(Icosphere(1).Mesh());

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -61,4 +62,34 @@ TEST(TriangleQuality, SharesCountFaces)
   EXPECT_EQ(ShareOfFacesBelow(0.99 * OfLegs(0.1), mesh, SerialContext()), 0.0);
   EXPECT_EQ(ShareOfFacesBelow(1.01 * OfLegs(0.1), mesh, SerialContext()), 0.3);
   EXPECT_EQ(ShareOfFacesBelow(1.0, mesh, test::TbbContext(3)), 1.0);
+}
+
+// Sides (1, 0), (7, 1) and (8, 1): the sine of the large angle is 1 / sqrt(50), and the circle has the radius of the longest side over twice that.
+TEST(TriangleQuality, CapsAreMeasuredByTheCirclesAroundThem)
+{
+  test::Surface surface = test::PlaneGrid(12, 8);
+  for (int vertex = 0; vertex < surface.V.rows(); ++vertex)
+  {
+    surface.V(vertex, 0) += 7.0 * std::min(surface.V(vertex, 1), 2.0); // two rows of eight
+  }
+  const CapFaces caps = FindCaps(surface.Mesh());
+  EXPECT_NEAR(caps.Share, 0.25, 10 * Epsilon);
+  EXPECT_NEAR(caps.RelativeRadius, std::sqrt(50.0), 1e3 * Epsilon);
+}
+
+TEST(TriangleQuality, ThinRightTrianglesAreNoCaps)
+{
+  EXPECT_EQ(FindCaps(test::Strip({ 1e-3, 1.0, 0.1 }).Mesh()).Share, 0.0);
+  EXPECT_EQ(FindCaps(test::Icosphere(2).Mesh()).Share, 0.0);
+}
+
+TEST(TriangleQuality, CapsHaveTheSameBitsForAnyNumberOfThreads)
+{
+  test::Surface surface = test::IrregularPlane(70, 70, 3);
+  surface.V.col(0) *= 20.0;
+  const TriangleMesh mesh = surface.Mesh();
+  const CapFaces one = FindCaps(mesh), three = FindCaps(mesh, test::TbbContext(3));
+  EXPECT_GT(one.Share, 0.0);
+  EXPECT_EQ(one.Share, three.Share);
+  EXPECT_EQ(one.RelativeRadius, three.RelativeRadius);
 }

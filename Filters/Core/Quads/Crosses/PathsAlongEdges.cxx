@@ -1,7 +1,8 @@
 #include "Quads/Crosses/PathsAlongEdges.h"
 
+#include "Analysis/EdgeDistances.h"
+
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -10,9 +11,6 @@ namespace dmg
 
 namespace
 {
-
-/// Vertices by distance, the nearest first; of equal ones that of the smallest number.
-using Queue = std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>;
 
 double LengthOf(const TriangleMesh& mesh, int halfedge)
 {
@@ -26,7 +24,8 @@ PathsAlongEdges::PathsAlongEdges(const TriangleMesh& mesh, int from, double dist
 {
   std::unordered_map<int, double> distances{ { from, 0.0 } };
   std::unordered_map<int, char> isDone;
-  Queue queue;
+  // The nearest vertex comes first; of equally near ones, that of the smallest number.
+  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
   queue.emplace(0.0, from);
   while (!queue.empty())
   {
@@ -74,39 +73,15 @@ std::vector<int> PathsAlongEdges::To(int vertex) const
 
 void GrowMarks(const TriangleMesh& mesh, double distance, std::vector<char>& isMarked)
 {
-  Vector<double> distances = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
-  Queue queue;
-  const auto reach = [&distances, &queue, distance](int vertex, double length)
-  {
-    if (length <= distance && length < distances[vertex])
-    {
-      distances[vertex] = length;
-      queue.emplace(length, vertex);
-    }
-  };
+  std::vector<int> corners;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     if (isMarked[TriangleMesh::FaceOf(h)])
     {
-      reach(mesh.Tail(h), 0.0);
+      corners.push_back(mesh.Tail(h));
     }
   }
-  while (!queue.empty())
-  {
-    const auto [length, vertex] = queue.top();
-    queue.pop();
-    if (length > distances[vertex])
-    {
-      continue;
-    }
-    mesh.VisitFan(vertex,
-      [&, length = length](int h)
-      {
-        const int incoming = TriangleMesh::Previous(h);
-        reach(mesh.Head(h), length + LengthOf(mesh, h));
-        reach(mesh.Tail(incoming), length + LengthOf(mesh, incoming));
-      });
-  }
+  const Vector<double> distances = DistancesAlongEdges(mesh, corners, distance);
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     const auto isReached = [&](int k) { return distances[mesh.Tail(3 * face + k)] <= distance; };

@@ -4,6 +4,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Support/Types.h"
 
+#include <limits>
 #include <vector>
 
 namespace dmg
@@ -11,9 +12,10 @@ namespace dmg
 
 /// The lengths of the shortest paths along edges, by Dijkstra's algorithm: upper bounds of the distances over the surface.
 /// \param from vertices at distance 0, at least one.
-/// \return #V, of each vertex the distance to the nearest of them; infinite on components without one.
-/// Cost: O(#V log #V).
-Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from);
+/// \return #V, of each vertex the distance to the nearest of them; infinite beyond the maximum, and on components without one.
+/// Cost: O(n log n), n the number of vertices within the maximum.
+Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from,
+  double maximum = std::numeric_limits<double>::infinity());
 
 /// \param distances #V.
 /// \param components #V, the number of the connected component of each vertex, from 0 on.

@@ -1,4 +1,4 @@
-#include "Geodesics/EdgeDistances.h"
+#include "Analysis/EdgeDistances.h"
 
 #include "Operators/FunctionSource.h"
 #include "Support/MeshFactory.h"
@@ -23,6 +23,17 @@ TriangleMesh TwoGrids()
 
 constexpr int VerticesOfFirst = 7 * 4;
 
+}
+
+TEST(EdgeDistances, EndAtTheMaximum)
+{
+  const TriangleMesh mesh = TwoGrids();
+  const Vector<double> all = DistancesAlongEdges(mesh, { 3 });
+  const Vector<double> near = DistancesAlongEdges(mesh, { 3 }, 2.5);
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    EXPECT_TRUE(all[vertex] <= 2.5 ? near[vertex] == all[vertex] : std::isinf(near[vertex])) << vertex;
+  }
 }
 
 TEST(EdgeDistances, TakeDiagonalsWhereTheyRise)

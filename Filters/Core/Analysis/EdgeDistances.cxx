@@ -1,15 +1,14 @@
-#include "Geodesics/EdgeDistances.h"
+#include "Analysis/EdgeDistances.h"
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 
 namespace dmg
 {
 
-Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from)
+Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from, double maximum)
 {
   using Reached = std::pair<double, int>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
@@ -30,7 +29,7 @@ Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<i
     const auto visit = [&, distance = distance, vertex = vertex](int neighbour)
     {
       const double further = distance + (mesh.Position(neighbour) - mesh.Position(vertex)).norm();
-      if (further < distances[neighbour])
+      if (further <= maximum && further < distances[neighbour])
       {
         distances[neighbour] = further;
         front.emplace(further, neighbour);
