@@ -43,9 +43,9 @@ int vtkFieldGlyphs::RequestData(
       const std::vector<dmg::GlyphPlace> places =
         dmg::PlaceGlyphs(surface, given.Field, where, dmg::PartOfContext(context, 0.0, 0.6));
       const dmg::GlyphsOnSurface glyphs =
-        dmg::FieldGlyphs(surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 1.0));
+        dmg::FieldGlyphs(surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 0.9));
       dmg::GlyphsToPolyData(glyphs, given.Field.NumberOfFamilies(), this->Style == Strokes,
-        given.View.Surface().Geometry, how.Lift, output, context);
+        given.View.Surface().Geometry, how.Lift, output, dmg::PartOfContext(context, 0.9, 1.0));
     });
 }
 

@@ -49,12 +49,14 @@ int vtkFieldLines::RequestData(
       options.StopRatio = this->SeparatingDistanceRatio;
       options.MinimumLength = this->MinimumLength * options.Separation;
       const dmg::UnfoldedSurface surface(given.View.Mesh(), given.View.Surface().Geometry.Faces, context);
-      const dmg::LinesOnSurface lines = dmg::EvenlySpacedLines(surface, given.Field, options, context);
+      const dmg::LinesOnSurface lines =
+        dmg::EvenlySpacedLines(surface, given.Field, options, dmg::PartOfContext(context, 0.0, 0.9));
       const auto heads = this->ArrowHeads && given.Field.N() == 1
         ? dmg::ArrowHeadsOf(
             lines, given.View.Surface().Geometry.Faces, HeadSpacing * options.Separation, HeadSize * options.Separation)
         : std::vector<dmg::ArrowHead>();
-      dmg::LinesToPolyData(lines, heads, given.View.Surface().Geometry, this->Lift * given.Diagonal, output, context);
+      dmg::LinesToPolyData(lines, heads, given.View.Surface().Geometry, this->Lift * given.Diagonal, output,
+        dmg::PartOfContext(context, 0.9, 1.0));
       if (lines.NumberOfLines() == 0)
       {
         // Lines have other places at another distance, and the longest is half as long there at least. With MinimumLength 0

@@ -8,6 +8,7 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/FlatMap.h"
@@ -31,14 +32,43 @@
 
 vtkStandardNewMacro(vtkSurfaceDistance);
 
+namespace
+{
+
+/// All that distances depend on, besides the surface.
+struct DistanceKey
+{
+  dmg::DistanceSources Sources;
+  dmg::DistanceOptions Options;
+
+  friend bool operator==(const DistanceKey& a, const DistanceKey& b)
+  {
+    return a.Sources == b.Sources && a.Options == b.Options;
+  }
+};
+
+/// Distances, from which any offset lines and paths come.
+class KeptDistance : public dmg::SurfaceDistance
+{
+public:
+  using SurfaceDistance::SurfaceDistance;
+
+  int Counts() const { return 1; }
+};
+
+}
+
 class vtkSurfaceDistance::vtkInternals
 {
 public:
   explicit vtkInternals(vtkSurfaceDistance* filter)
-    : Filter(filter)
+    : Engines(filter)
+    , Filter(filter)
     , Point(filter, filter->PointOnSurface)
   {
   }
+
+  dmg::Kept<dmg::EngineOfSurface<KeptDistance, DistanceKey>> Engines;
 
   void CheckProperties() const
   {
@@ -49,7 +79,7 @@ public:
       { "Number Of Levels", filter.NumberOfLevels, 0, 1000 }, { "Length Scale", filter.LengthScale, 1e-30, 1e30 } });
   }
 
-  dmg::DistanceOptions Options(std::vector<dmg::Vector3> targets) const
+  dmg::DistanceOptions Options() const
   {
     dmg::DistanceOptions options;
     if (this->Filter->MaximumDistance > 0.0)
@@ -59,7 +89,6 @@ public:
     options.Signed = this->Filter->Signed;
     options.MaximumSourceDistance = this->Filter->MaximumSourceDistance;
     options.MayMiss = this->Point.IsInLeaf();
-    options.Targets = std::move(targets);
     return options;
   }
 
@@ -84,6 +113,13 @@ public:
       this->Point.Add(position);
     }
     return sources;
+  }
+
+  const dmg::SurfaceDistance& Distance(
+    const dmg::SurfaceView& view, const DistanceKey& key, const dmg::ExecutionContext& context)
+  {
+    const auto make = [&] { return KeptDistance(view.Surface().Geometry, key.Sources, key.Options, context); };
+    return this->Engines.Of(view.Prepared()->Digest).Take(view.Prepared(), key, make);
   }
 
   void WarnOf(const dmg::DistanceField& field) const
@@ -157,6 +193,12 @@ double vtkSurfaceDistance::GetOffsetDistance(int index) const
 }
 
 //------------------------------------------------------------------------------
+int vtkSurfaceDistance::GetNumberOfSetups() const
+{
+  return this->Internals->Engines.Counts();
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceDistance::FillInputPortInformation(int port, vtkInformation* information)
 {
   if (port == 0)
@@ -193,10 +235,9 @@ int vtkSurfaceDistance::RequestData(
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::WarnOfPreparation(this, view.Repair());
 
-    const dmg::DistanceSources sources = this->Internals->Sources(whole[1], view);
-    const dmg::DistanceOptions options = this->Internals->Options(dmg::TargetsFrom(dmg::DataOf(whole[2]), view));
-    const dmg::SurfaceDistance distance(
-      view.Surface().Geometry, sources, options, dmg::PartOfContext(context, 0.1, 0.6));
+    const DistanceKey key{ this->Internals->Sources(whole[1], view), this->Internals->Options() };
+    const std::vector<dmg::Vector3> targets = dmg::TargetsFrom(dmg::DataOf(whole[2]), view);
+    const dmg::SurfaceDistance& distance = this->Internals->Distance(view, key, dmg::PartOfContext(context, 0.1, 0.6));
     this->Internals->WarnOf(distance.Field());
 
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
@@ -205,8 +246,7 @@ int vtkSurfaceDistance::RequestData(
     output(0.6, 0.65).AddArrays();
     output(0.65, 0.7).MakeOffsetLines(
       this->OffsetDistances, this->NumberOfLevels, vtkPolyData::GetData(outputVector, 1));
-    output(0.7, 1.0).MakePaths(static_cast<int>(options.Targets.size()), vtkPolyData::GetData(outputVector, 2),
-      vtkTable::GetData(outputVector, 3));
+    output(0.7, 1.0).MakePaths(targets, vtkPolyData::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3));
     dmg::Warn(this, view.Warnings());
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

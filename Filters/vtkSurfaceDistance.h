@@ -53,13 +53,12 @@
  * are locally shortest; behind a hill there may be a shorter one around its other side, by some thousandths.
  *
  * Port 3, the table: vtkTable, a row for each point of port 2, with the columns Target, its number; Source, the number of the source, -1 where
- * no path leads; Distance; PathLength, which is the same but for errors of both, and from a line longer by up to an eighth of a squared edge
- * over itself, as paths start where a line crosses an edge of the mesh; StraightLength, between the ends of the path through space. NaN where
- * no path leads.
+ * no path leads; Distance; PathLength, which is the same but for errors of both; StraightLength, between the ends of the path through space. NaN where
+ * no path leads. From a line, paths start at its nearest place.
  *
  * @section vtkSurfaceDistance-Execution Execution
  *
- * All is computed in each execution. Blocks of composite inputs are surfaces of their own: a block that no source is near to has no
+ * Distances are kept: other targets and other offset lines need no new ones. Blocks of composite inputs are surfaces of their own: a block that no source is near to has no
  * distances.
  *
  * @sa vtkParallelTransport
@@ -220,6 +219,11 @@ public:
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);
   ///@}
+
+  /**
+   * The number of times that this object has found distances; where only targets or offset lines have changed, it has not.
+   */
+  int GetNumberOfSetups() const;
 
   vtkSurfaceDistance(const vtkSurfaceDistance&) = delete;
   void operator=(const vtkSurfaceDistance&) = delete;

@@ -562,6 +562,56 @@ TEST(SurfaceDistanceFilter, WhatIsWrongIsToldWithARemedy)
     });
 }
 
+TEST(SurfaceDistanceFilter, FindsDistancesOnceForOtherTargetsAndLevels)
+{
+  const auto sphere = PolyDataOf(Icosphere(3));
+  const auto set = [&](vtkSurfaceDistance* filter)
+  {
+    filter->SetInputData(sphere);
+    filter->SetPoint(1.0, 0.1, 0.2);
+  };
+  vtkNew<vtkSurfaceDistance> filter;
+  set(filter);
+  filter->Update();
+  const std::vector<double> distances = Values(OutputOf(filter)->GetPointData(), "Distance");
+  filter->SetNumberOfLevels(3);
+  filter->AddInputDataObject(2, PolyDataOf(Icosphere(0)));
+  filter->Update();
+  filter->AddOffsetDistance(0.5);
+  filter->SetLengthScale(2.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 1);
+  vtkNew<vtkSurfaceDistance> fresh;
+  set(fresh);
+  fresh->AddInputDataObject(2, PolyDataOf(Icosphere(0)));
+  fresh->AddOffsetDistance(0.5);
+  fresh->SetLengthScale(2.0);
+  fresh->Update();
+  for (const int port : { 1, 2 })
+  {
+    vtkDataSet* const lines = OutputOf(fresh, port);
+    ASSERT_GT(lines->GetNumberOfPoints(), 0);
+    ASSERT_EQ(OutputOf(filter, port)->GetNumberOfPoints(), lines->GetNumberOfPoints());
+    for (vtkIdType point = 0; point < lines->GetNumberOfPoints(); ++point)
+    {
+      EXPECT_EQ(Vector3(OutputOf(filter, port)->GetPoint(point)), Vector3(lines->GetPoint(point)));
+    }
+  }
+  filter->SetLengthScale(1.0);
+  filter->Update();
+  EXPECT_EQ(Values(OutputOf(filter)->GetPointData(), "Distance"), distances);
+  EXPECT_EQ(filter->GetNumberOfSetups(), 1);
+  filter->SetPoint(0.0, 1.0, 0.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 2);
+  filter->SetMaximumDistance(1.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 3);
+  filter->SetInputData(PolyDataOf(Icosphere(2)));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSetups(), 4);
+}
+
 TEST(SurfaceDistanceFilter, AbortedRunsStartAgain)
 {
   for (const double when : { 0.3, 0.8 }) // among distances and among paths

@@ -172,17 +172,18 @@ void DistanceOutput::MakeOffsetLines(std::vector<double> distances, int levels, 
   this->View.LinesBack(lines);
 }
 
-void DistanceOutput::MakePaths(int targets, vtkPolyData* paths, vtkTable* table) const
+void DistanceOutput::MakePaths(const std::vector<Vector3>& targets, vtkPolyData* paths, vtkTable* table) const
 {
   PathCollector collector(this->Scale);
-  for (int target = 0; target < targets; ++target)
+  const auto size = static_cast<double>(targets.size());
+  for (std::size_t target = 0; target < targets.size(); ++target)
   {
-    const double done = static_cast<double>(target) / targets;
-    this->Context.Checkpoint(done);
-    collector.Add(
-      target, this->Distance.PathToTarget(target, PartOfContext(this->Context, done, done + 1.0 / targets)));
+    const auto done = static_cast<double>(target);
+    this->Context.Checkpoint(done / size);
+    const PartOfContext part(this->Context, done / size, (done + 1.0) / size);
+    collector.Add(static_cast<int>(target), this->Distance.PathTo(targets[target], part));
   }
-  if (targets > 0)
+  if (!targets.empty())
   {
     collector.Write(paths, table);
     this->View.LinesBack(paths);

@@ -36,8 +36,8 @@ public:
   void MakeOffsetLines(std::vector<double> distances, int levels, vtkPolyData* lines) const;
 
   /// Makes shortest paths to all targets, and a table with a row for each of them.
-  /// \param targets their number. \param paths, table empty outputs.
-  void MakePaths(int targets, vtkPolyData* paths, vtkTable* table) const;
+  /// \param paths, table empty outputs.
+  void MakePaths(const std::vector<Vector3>& targets, vtkPolyData* paths, vtkTable* table) const;
 
 private:
   const SurfaceDistance& Distance;

@@ -31,7 +31,7 @@ constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
 constexpr double IdleDistance = 0.05; ///< within which a line that stays ends
 
 /// The number of pieces between two checkpoints.
-constexpr int PiecesBetweenCheckpoints = 4096;
+constexpr int PiecesBetweenCheckpoints = 512;
 
 struct Seed
 {
@@ -154,6 +154,7 @@ private:
       for (; rest < length; rest += step * this->Options.Separation)
       {
         const Complex at = segment.From + rest / length * (segment.To - segment.From);
+        this->Count();
         visit(SurfacePoint{ segment.Face, at }, segment.Direction);
       }
       rest -= length;

@@ -2,6 +2,8 @@
 
 #include "Constraints/NearestPlaces.h"
 
+#include <algorithm>
+
 namespace dmg
 {
 
@@ -40,18 +42,24 @@ void HalveNormalsAtThinWalls(const FramedMesh& surface, const std::vector<Vector
   // The ball behind that touches the surface here has few faces of this sheet in it.
   const double reach = 0.5 * Thickness * diagonal;
   constexpr double Slack = 1e-3;
-  constexpr int Grain = 256;
-  context.ParallelFor(0, static_cast<int>(positions.size()), Grain,
-    [&](int first, int last)
-    {
-      for (int point = first; point < last; ++point)
+  constexpr int Grain = 256, Interval = 8192;
+  const int size = static_cast<int>(positions.size());
+  for (int begin = 0; begin < size; begin += Interval)
+  {
+    context.Checkpoint(static_cast<double>(begin) / size);
+    context.ParallelFor(begin, std::min(begin + Interval, size), Grain,
+      [&](int first, int last)
       {
-        bool isThin = false;
-        places.VisitNear(positions[point] - reach * normals[point], (1.0 + Slack) * reach,
-          [&](int face) { isThin = isThin || IsOtherSide(surface, face, positions[point], normals[point], diagonal); });
-        normals[point] *= isThin ? 0.5 : 1.0;
-      }
-    });
+        for (int point = first; point < last; ++point)
+        {
+          bool isThin = false;
+          places.VisitNear(positions[point] - reach * normals[point], (1.0 + Slack) * reach,
+            [&](int face)
+            { isThin = isThin || IsOtherSide(surface, face, positions[point], normals[point], diagonal); });
+          normals[point] *= isThin ? 0.5 : 1.0;
+        }
+      });
+  }
   context.Checkpoint(1.0);
 }
 

@@ -20,6 +20,12 @@ struct DistanceSources
   std::vector<char> Region = {}; ///< per face, not 0 for those of the region; or empty
   bool Boundary = false;         ///< of the surface
   double FeatureAngle = 0.0; ///< in degrees; edges whose faces have a larger angle between them are sharp. 0 is off.
+
+  friend bool operator==(const DistanceSources& a, const DistanceSources& b)
+  {
+    return a.Vertices == b.Vertices && a.Points == b.Points && a.Lines == b.Lines && a.Region == b.Region &&
+      a.Boundary == b.Boundary && a.FeatureAngle == b.FeatureAngle;
+  }
 };
 
 struct DistanceOptions
@@ -33,8 +39,12 @@ struct DistanceOptions
   double MaximumSourceDistance = 0.1;
   /// Whether all sources may be too far, or none of the surface, so that no distance is known. Else that is an error.
   bool MayMiss = false;
-  /// Places to which paths are asked for; brought to the surface as points.
-  std::vector<Vector3> Targets = {};
+
+  friend bool operator==(const DistanceOptions& a, const DistanceOptions& b)
+  {
+    return a.MaximumDistance == b.MaximumDistance && a.Signed == b.Signed &&
+      a.MaximumSourceDistance == b.MaximumSourceDistance && a.MayMiss == b.MayMiss;
+  }
 };
 
 }

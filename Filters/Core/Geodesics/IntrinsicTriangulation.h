@@ -69,7 +69,36 @@ public:
   /// \return the four sides of the two faces: ca, ad, db and bc for the halfedge from a to b.
   std::array<int, 4> Flip(int halfedge);
 
+  /// A vertex that was added, and the halfedges that have other numbers since.
+  struct AddedVertex
+  {
+    int Vertex;
+    std::array<std::array<int, 2>, 2> Renumbered; ///< from the first to the second number; -1 where there is none
+
+    /// The number of a former halfedge.
+    int Now(int halfedge) const;
+  };
+  /// Adds a vertex on an edge, at a part of the way along a halfedge, which ends there now. The shape stays; edges may be no longer Delaunay.
+  /// \param turn the direction of the halfedge in the frame of the vertex, in radians.
+  /// \pre the edge has two faces, or is on the boundary; 0 < part < 1.
+  AddedVertex SplitEdge(int halfedge, double part, double turn = 0.0);
+  /// Adds a vertex in a face. \param place in the plane of the face, where a halfedge runs from 0 along the x axis. \pre it is inside.
+  AddedVertex SplitFace(int halfedge, Complex place, double turn = 0.0);
+  /// The third corner of the face of a halfedge, in that plane.
+  Complex Apex(int halfedge) const;
+
 private:
+  struct Side
+  {
+    int Tail;
+    double Length;
+    double Direction;
+  };
+  void Set(int halfedge, const Side& side);
+  void Join(int halfedge, int twin);
+  void AddFaces(int number);
+  /// A side takes another number.
+  void Move(int from, int to);
   void SetLengths(const TriangleMesh& mesh);
   void SetDirections(const TriangleMesh& mesh, const VertexConnection& connection);
   void MakeDelaunay(const ExecutionContext& context);

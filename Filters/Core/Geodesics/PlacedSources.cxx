@@ -19,17 +19,12 @@ void RequireElement(int element, int size, const std::string& name)
   }
 }
 
-namespace
-{
-
 void CheckPosition(const Vector3& position, const std::string& name)
 {
   if (!position.allFinite())
   {
     throw InvalidInput("a coordinate of " + name + " is not finite; leave the point out");
   }
-}
-
 }
 
 void CheckSources(const FramedMesh& surface, const DistanceSources& sources, const DistanceOptions& options)
@@ -48,10 +43,6 @@ void CheckSources(const FramedMesh& surface, const DistanceSources& sources, con
     {
       CheckPosition(point, "source line " + std::to_string(k));
     }
-  }
-  for (std::size_t k = 0; k < options.Targets.size(); ++k)
-  {
-    CheckPosition(options.Targets[k], "target " + std::to_string(k));
   }
   if (!sources.Region.empty() && static_cast<int>(sources.Region.size()) != surface.Mesh.NumberOfFaces())
   {
@@ -73,7 +64,7 @@ PlacedSources::PlacedSources(const FramedMesh& surface, const DistanceSources& s
 {
   this->AddElements();
   context.Checkpoint(0.1);
-  if (!sources.Points.empty() || !sources.Lines.empty() || !options.Targets.empty())
+  if (!sources.Points.empty() || !sources.Lines.empty())
   {
     this->AddPlaces(PartOfContext(context, 0.1, 1.0));
   }
@@ -171,7 +162,7 @@ void PlacedSources::AddPlaces(const ExecutionContext& context)
     const NearestPlace place = nearest(point);
     return place.Face >= 0 && place.Distance <= maximum ? this->Split.AddPoint(place.Face, place.Position) : -1;
   };
-  this->All = this->Sources.Points.size() + this->Options.Targets.size();
+  this->All = this->Sources.Points.size();
   for (const std::vector<Vector3>& line : this->Sources.Lines)
   {
     this->All += line.size();
@@ -186,11 +177,6 @@ void PlacedSources::AddPlaces(const ExecutionContext& context)
     }
     this->TooFar += vertex < 0 ? 1 : 0;
     ++number;
-    this->Advance(1.0, context);
-  }
-  for (const Vector3& point : this->Options.Targets)
-  {
-    this->Targets.push_back(vertexOf(point));
     this->Advance(1.0, context);
   }
   const SegmentOnSurface segments(nearest, maximum);

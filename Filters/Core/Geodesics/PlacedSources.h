@@ -20,10 +20,13 @@ namespace dmg
 /// \throw InvalidInput there is no such element.
 void RequireElement(int element, int size, const std::string& name);
 
+/// \throw InvalidInput a coordinate is not finite.
+void CheckPosition(const Vector3& position, const std::string& name);
+
 /// \throw InvalidInput a number is not finite or of no element.
 void CheckSources(const FramedMesh& surface, const DistanceSources& sources, const DistanceOptions& options);
 
-/// Sources as lines and vertices of a surface that is split for them, and targets as its vertices.
+/// Sources as lines and vertices of a surface that is split for them.
 class PlacedSources
 {
 public:
@@ -35,7 +38,6 @@ public:
   std::vector<PathStart> StartsOn(const TriangleMesh& split) const;
 
   SplitSurface Split;
-  std::vector<int> Targets; ///< vertices; -1 where one is too far away
   int Taken = 0;
   int TooFar = 0;
   int Interrupted = 0;

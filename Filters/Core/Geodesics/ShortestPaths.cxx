@@ -173,6 +173,19 @@ public:
   {
   }
 
+  /// Goes on from paths that were found, to one more vertex.
+  ShortestPath GoOnTo(int vertex, std::vector<ShortestPath> paths)
+  {
+    this->Paths = std::move(paths);
+    this->Paths.resize(this->Surface.NumberOfVertices());
+    for (std::size_t other = 0; other < this->Paths.size(); ++other)
+    {
+      this->HasPassed[other] = this->Paths[other].IsAny() ? 1 : 0;
+    }
+    this->Renew({ vertex });
+    return this->Paths[vertex];
+  }
+
   void Start(const PathStart& start)
   {
     ShortestPath path;
@@ -481,6 +494,11 @@ std::vector<ShortestPath> FindShortestPaths(const IntrinsicTriangulation& surfac
   }
   front.Run(maximumDistance, context);
   return std::move(front).Result();
+}
+
+ShortestPath FindPathTo(int vertex, const IntrinsicTriangulation& surface, std::vector<ShortestPath> paths)
+{
+  return Wavefront(surface).GoOnTo(vertex, std::move(paths));
 }
 
 }

@@ -52,6 +52,11 @@ struct PathStart
 std::vector<ShortestPath> FindShortestPaths(const IntrinsicTriangulation& surface, const std::vector<PathStart>& starts,
   double maximumDistance = std::numeric_limits<double>::infinity(), const ExecutionContext& context = SerialContext());
 
+/// The shortest path to a vertex that a triangulation has more than when all others were found: over one of the faces around it.
+/// \param paths of all other vertices.
+/// Cost: O(#F).
+ShortestPath FindPathTo(int vertex, const IntrinsicTriangulation& surface, std::vector<ShortestPath> paths);
+
 }
 
 #endif

@@ -30,11 +30,10 @@ std::optional<Vector<double>> SignsOf(const TriangleMesh& mesh, const SplitSurfa
   {
     return {};
   }
-  Vector<double> signs(mesh.NumberOfVertices());
-  for (int vertex = 0; vertex < signs.size(); ++vertex)
+  Vector<double> signs(faces);
+  for (int face = 0; face < faces; ++face)
   {
-    const int part = parts.Smallest(TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertex)));
-    signs[vertex] = sides[part] == SplitSurface::Inside ? -1.0 : 1.0;
+    signs[face] = sides[parts.Smallest(face)] == SplitSurface::Inside ? -1.0 : 1.0;
   }
   return signs;
 }

@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// The sign of each vertex: -1 inside of the lines, 1 elsewhere; nothing where lines do not part the surface, or where there are none.
+/// The sign of each face: -1 inside of the lines, 1 elsewhere; nothing where lines do not part the surface, or where there are none.
 /// \param mesh what the split surface made.
 std::optional<Vector<double>> SignsOf(const TriangleMesh& mesh, const SplitSurface& split);
 

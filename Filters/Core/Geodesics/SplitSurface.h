@@ -68,6 +68,8 @@ public:
   const std::vector<int>& Lines() const { return this->NumbersOfLines; }
   /// The side of its line that is to the left of a halfedge.
   Sides SideOf(int halfedge) const { return static_cast<Sides>(this->SidesOfLines[halfedge]); }
+  /// The face of the surface that a part belongs to.
+  int OriginOf(int part) const { return this->Faces[part]; }
   bool IsSplit() const { return static_cast<int>(this->Positions.size()) > this->Surface.Mesh.NumberOfVertices(); }
 
   /// The surface with the parts as faces; halfedges are numbered as here.

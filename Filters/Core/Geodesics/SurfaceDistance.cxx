@@ -1,7 +1,10 @@
 #include "Geodesics/SurfaceDistance.h"
 
+#include "Constraints/NearestPlaces.h"
 #include "Geodesics/EdgePath.h"
+#include "Geodesics/IntrinsicPlaces.h"
 #include "Geodesics/IntrinsicTriangulation.h"
+#include "Geodesics/LineStarts.h"
 #include "Geodesics/PlacedSources.h"
 #include "Geodesics/ShortestPaths.h"
 #include "Geodesics/SignsOfLines.h"
@@ -14,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -37,7 +41,7 @@ public:
   Internals(const FramedMesh& surface, const DistanceSources& sources, const DistanceOptions& options,
     const ExecutionContext& context)
     : Surface(surface)
-    , MaximumDistance(options.MaximumDistance)
+    , Options(options)
   {
     PlacedSources placed(surface, sources, options, PartOfContext(context, 0.0, 0.3));
     if (placed.Split.IsSplit())
@@ -49,7 +53,6 @@ public:
     this->Delaunay = std::make_unique<IntrinsicTriangulation>(
       on, *this->Connection, AreHeld(placed.Split.Lines()), PartOfContext(context, 0.4, 0.6));
     const std::vector<PathStart> starts = placed.StartsOn(on.Mesh);
-    this->Targets = placed.Targets;
     this->Result.Taken = placed.Taken;
     this->Result.TooFar = placed.TooFar;
     this->Result.Interrupted = placed.Interrupted;
@@ -66,55 +69,131 @@ public:
           : std::string("there is no source of distances; give a point, a line, a region or the boundary"));
     }
     this->Paths = FindShortestPaths(*this->Delaunay, starts, options.MaximumDistance, PartOfContext(context, 0.6, 1.0));
-    this->SetSigns(placed, options);
+    this->SetSigns(placed);
+    this->SetRegion(placed.Split, sources.Region);
     this->SetField();
     context.Checkpoint(1.0);
   }
 
   const FramedMesh& On() const { return this->Split ? *this->Split : this->Surface; }
-  bool IsReached(int vertex) const
+  bool IsReached(const ShortestPath& path) const
   {
-    return this->Paths[vertex].IsAny() && this->Paths[vertex].Length <= this->MaximumDistance;
+    return path.IsAny() && path.Length <= this->Options.MaximumDistance;
   }
-  double Sign(int vertex) const { return this->Signs ? (*this->Signs)[vertex] : 1.0; }
-
-  /// \pre it is reached.
-  double DistanceAt(int vertex) const
+  double SignOfFace(int face) const { return this->Signs ? (*this->Signs)[face] : 1.0; }
+  double Sign(int vertex) const
   {
-    return this->Paths[vertex].IsAtSource() ? 0.0 : this->Sign(vertex) * this->Paths[vertex].Length;
+    return this->SignOfFace(TriangleMesh::FaceOf(this->On().Mesh.OutgoingHalfedge(vertex)));
   }
 
-  SurfacePath PathTo(int target, const ExecutionContext& context) const
+  SurfacePath PathToVertex(int vertex, const ExecutionContext& context) const
   {
-    SurfacePath path;
-    if (target < 0 || !this->IsReached(target))
-    {
-      return path;
-    }
     IntrinsicTriangulation flipped = *this->Delaunay;
-    EdgePath edges = EdgesBeside(this->Paths, target, *this->Delaunay);
-    MakeShortest(edges, flipped, context);
-    path.Length = edges.Length(flipped);
-    path.Source = this->Paths[target].Source;
-    path.Distance = this->DistanceAt(target);
-    path.Points = TracePath(edges, target, flipped, this->On(), *this->Connection);
-    return path;
+    return this->PathTo(vertex, this->Sign(vertex), this->Paths, flipped, {}, context);
+  }
+
+  SurfacePath PathToPlace(const Vector3& point, const ExecutionContext& context) const
+  {
+    std::call_once(this->HasNearest, [this] { this->Nearest = std::make_unique<NearestPlaces>(this->On()); });
+    const NearestPlace place = (*this->Nearest)(point);
+    if (place.Face < 0 || place.Distance > this->Options.MaximumSourceDistance * this->Nearest->Sizes.Diagonal())
+    {
+      return {};
+    }
+    const TriangleMesh& mesh = this->On().Mesh;
+    int nearest = 3 * place.Face; // corner
+    double longest = 0.0;
+    const auto toCorner = [&](int h) { return (place.Position - mesh.Position(mesh.Tail(h))).norm(); };
+    for (int h = 3 * place.Face; h < 3 * place.Face + 3; ++h)
+    {
+      nearest = toCorner(h) < toCorner(nearest) ? h : nearest;
+      longest = std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm());
+    }
+    if (toCorner(nearest) <= SplitSurface::Snap * longest)
+    {
+      return this->PathToVertex(mesh.Tail(nearest), context);
+    }
+    return this->PathInto(place, nearest, context);
   }
 
   const FramedMesh& Surface;
-  const double MaximumDistance;
-  std::unique_ptr<FramedMesh> Split; ///< where sources or targets are no vertices
+  const DistanceOptions Options;
+  std::unique_ptr<FramedMesh> Split; ///< where sources are no vertices
   std::unique_ptr<VertexConnection> Connection;
   std::unique_ptr<IntrinsicTriangulation> Delaunay;
-  std::vector<int> Targets;
   std::vector<ShortestPath> Paths;
-  std::optional<Vector<double>> Signs;
+  std::optional<Vector<double>> Signs; ///< of faces
+  std::vector<char> Zeros;             ///< by face, those of a region without signs; or empty
   DistanceField Result;
 
 private:
-  void SetSigns(const PlacedSources& placed, const DistanceOptions& options)
+  /// To a place in a face, which becomes a vertex. \param corner its nearest halfedge.
+  SurfacePath PathInto(const NearestPlace& place, int corner, const ExecutionContext& context) const
   {
-    if (!options.Signed || placed.Taken == 0)
+    const FramedMesh& on = this->On();
+    const int tail = on.Mesh.Tail(corner);
+    const Complex way = on.Faces.ToComplex(place.Face, place.Position - on.Mesh.Position(tail));
+    const Complex side =
+      on.Faces.ToComplex(place.Face, on.Mesh.Position(on.Mesh.Head(corner)) - on.Mesh.Position(tail));
+    IntrinsicTriangulation flipped = *this->Delaunay;
+    const double direction = this->Connection->PolarAngle(corner) + flipped.Stretch(tail) * std::arg(way / side);
+    bool isHeld = false;
+    const int target = AddVertex(FindPlace(flipped, tail, direction, std::abs(way)), std::arg(way), flipped, isHeld);
+    std::vector<ShortestPath> paths = this->Paths;
+    paths.push_back(FindPathTo(target, flipped, this->Paths));
+    if (isHeld || (!this->Zeros.empty() && this->Zeros[place.Face] != 0)) // at the source
+    {
+      const int source = paths[target].Source;
+      paths[target] = {};
+      paths[target].Length = 0.0;
+      paths[target].Source = source;
+    }
+    const Complex inFace =
+      on.Faces.ToComplex(place.Face, place.Position - on.Mesh.Position(on.Mesh.Tail(3 * place.Face)));
+    return this->PathTo(
+      target, this->SignOfFace(place.Face), paths, flipped, { { place.Position, { place.Face, inFace } } }, context);
+  }
+
+  /// \param added vertices of the triangulation, after those of the surface.
+  SurfacePath PathTo(int target, double sign, const std::vector<ShortestPath>& paths, IntrinsicTriangulation& flipped,
+    std::vector<VertexOfPath> added, const ExecutionContext& context) const
+  {
+    SurfacePath path;
+    if (!this->IsReached(paths[target]))
+    {
+      return path;
+    }
+    const TriangleMesh& mesh = this->On().Mesh;
+    const auto positionOf = [&](int vertex)
+    {
+      const int number = vertex - mesh.NumberOfVertices();
+      return number < 0 ? mesh.Position(vertex) : added[number].Position;
+    };
+    EdgePath edges = EdgesBeside(paths, target, flipped);
+    MakeShortest(edges, flipped, context);
+    for (const VertexOnEdge& vertex : MoveStart(edges, flipped, context))
+    {
+      added.push_back(
+        { (1.0 - vertex.Part) * positionOf(vertex.Tail) + vertex.Part * positionOf(vertex.Head), { -1, 0.0 } });
+    }
+    path.Length = edges.Length(flipped);
+    path.Source = paths[target].Source;
+    path.Distance = paths[target].IsAtSource() ? 0.0 : sign * paths[target].Length;
+    path.Points = TracePath(edges, target, flipped, this->On(), *this->Connection, added);
+    return path;
+  }
+
+  void SetRegion(const SplitSurface& split, const std::vector<char>& region)
+  {
+    for (int part = 0; !this->Options.Signed && !region.empty() && part < this->On().Mesh.NumberOfFaces(); ++part)
+    {
+      this->Zeros.push_back(region[split.OriginOf(part)]);
+    }
+  }
+
+  void SetSigns(const PlacedSources& placed)
+  {
+    if (!this->Options.Signed || placed.Taken == 0)
     {
       return;
     }
@@ -140,12 +219,12 @@ private:
     for (int vertex = 0; vertex < size; ++vertex)
     {
       const ShortestPath& path = this->Paths[vertex];
-      if (!this->IsReached(vertex))
+      if (!this->IsReached(path))
       {
         ++this->Result.Unreached;
         continue;
       }
-      this->Result.Distances[vertex] = this->DistanceAt(vertex);
+      this->Result.Distances[vertex] = path.IsAtSource() ? 0.0 : this->Sign(vertex) * path.Length;
       this->Result.Sources[vertex] = path.Source;
       this->Result.Largest = std::max(this->Result.Largest, path.Length);
       if (!path.IsAtSource())
@@ -155,6 +234,9 @@ private:
       }
     }
   }
+
+  mutable std::once_flag HasNearest;
+  mutable std::unique_ptr<NearestPlaces> Nearest; ///< once a path was asked for
 };
 
 SurfaceDistance::SurfaceDistance(const FramedMesh& surface, const DistanceSources& sources,
@@ -176,13 +258,22 @@ const DistanceField& SurfaceDistance::Field() const
 SurfacePath SurfaceDistance::PathTo(int vertex, const ExecutionContext& context) const
 {
   RequireElement(vertex, this->Internal->Surface.Mesh.NumberOfVertices(), "vertex");
-  return this->Internal->PathTo(vertex, context);
+  return this->Internal->PathToVertex(vertex, context);
 }
 
-SurfacePath SurfaceDistance::PathToTarget(int target, const ExecutionContext& context) const
+SurfacePath SurfaceDistance::PathTo(const Vector3& point, const ExecutionContext& context) const
 {
-  RequireElement(target, static_cast<int>(this->Internal->Targets.size()), "target");
-  return this->Internal->PathTo(this->Internal->Targets[target], context);
+  CheckPosition(point, "a target");
+  return this->Internal->PathToPlace(point, context);
+}
+
+long long SurfaceDistance::Bytes() const
+{
+  const Internals& of = *this->Internal;
+  constexpr long long OfHalfedge = 2 * sizeof(int) + 2 * sizeof(double) + 1;
+  const long long ofMesh = of.Split ? static_cast<long long>(sizeof(double)) * 40 * of.Split->Mesh.NumberOfFaces() : 0;
+  return ofMesh + OfHalfedge * of.Delaunay->NumberOfHalfedges() +
+    static_cast<long long>(sizeof(ShortestPath) * of.Paths.size());
 }
 
 ContourLines SurfaceDistance::OffsetLines(std::vector<double> distances, const ExecutionContext& context) const
@@ -190,10 +281,10 @@ ContourLines SurfaceDistance::OffsetLines(std::vector<double> distances, const E
   const Internals& of = *this->Internal;
   for (const double distance : distances)
   {
-    if (!std::isfinite(distance) || std::abs(distance) > of.MaximumDistance)
+    if (!std::isfinite(distance) || std::abs(distance) > of.Options.MaximumDistance)
     {
       throw InvalidInput("there is no offset line at the distance " + ShortText(distance) +
-        "; give numbers up to the maximum distance, which is " + ShortText(of.MaximumDistance));
+        "; give numbers up to the maximum distance, which is " + ShortText(of.Options.MaximumDistance));
     }
   }
   std::sort(distances.begin(), distances.end());

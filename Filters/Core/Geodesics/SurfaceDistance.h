@@ -48,12 +48,13 @@ struct SurfacePath
 ///   distance.Field().Distances;
 ///   distance.OffsetLines({ 0.1, 0.2 });
 ///   distance.PathTo(vertex).Points;
+///   distance.PathTo(dmg::Vector3(0, 0, 1)).Length;
 ///
 /// Places in faces become vertices, and lines become edges that stay, of an intrinsic Delaunay triangulation, over which a wavefront runs
 /// (FindShortestPaths). SurfaceDistance.md has the method. Exact in planes and on what unfolds into one, of second order
 /// elsewhere. Paths are made shortest by flips of edges (MakeShortest): they are locally shortest, and near cut loci a shorter one may lead around
 /// the other side of a hill.
-/// Cost: O(#V log #V); for each path, O(#F) and its flips.
+/// Cost: O(#V log #V); for each path, O(#F) and its flips. Paths and offset lines change nothing, so that one object serves any number of them.
 class SurfaceDistance
 {
 public:
@@ -67,19 +68,23 @@ public:
 
   const DistanceField& Field() const;
 
-  /// The shortest path to a vertex from its nearest source.
+  /// The shortest path to a vertex from its nearest source. From a line it starts at the nearest place of the line.
   /// \throw InvalidInput there is no such vertex.
   /// \throw Cancelled
   SurfacePath PathTo(int vertex, const ExecutionContext& context = SerialContext()) const;
-  /// The shortest path to one of the targets of the options. None where it is too far from the surface.
-  /// \throw InvalidInput there is no such target.
+  /// The shortest path to the place of the surface that is nearest to a point. None where that is farther than MaximumSourceDistance.
+  /// Cost: n log n more for the first one.
+  /// \throw InvalidInput a coordinate is not finite.
   /// \throw Cancelled
-  SurfacePath PathToTarget(int target, const ExecutionContext& context = SerialContext()) const;
+  SurfacePath PathTo(const Vector3& point, const ExecutionContext& context = SerialContext()) const;
 
   /// Lines at given distances, on both sides of sources, or with signs as Field().Distances has them. Their Values count in the sorted
   /// distances.
   /// \throw InvalidInput a distance is not finite, or beyond the maximum.
   ContourLines OffsetLines(std::vector<double> distances, const ExecutionContext& context = SerialContext()) const;
+
+  /// The memory of the triangulation and of the paths.
+  long long Bytes() const;
 
 private:
   class Internals;

@@ -47,37 +47,70 @@ EdgePath::Step EdgeBetween(int tail, int head, const IntrinsicTriangulation& sur
 class EdgeTracer
 {
 public:
-  EdgeTracer(const IntrinsicTriangulation& flipped, const FramedMesh& surface, const VertexConnection& connection)
+  EdgeTracer(const IntrinsicTriangulation& flipped, const FramedMesh& surface, const VertexConnection& connection,
+    const std::vector<VertexOfPath>& added)
     : Flipped(flipped)
+    , Added(added)
     , Mesh(surface.Mesh)
     , Connection(connection)
     , Unfolded(surface.Mesh, surface.Faces)
   {
   }
 
+  Vector3 PositionOf(int vertex) const
+  {
+    const int added = vertex - this->Mesh.NumberOfVertices();
+    return added < 0 ? this->Mesh.Position(vertex) : this->Added[added].Position;
+  }
+
   Vector3 StartOf(const EdgePath::Step& step) const
   {
-    return this->Mesh.Position(step.Along >= 0 ? this->Flipped.Tail(step.Along) : this->Flipped.Head(step.Against));
+    return this->PositionOf(step.Along >= 0 ? this->Flipped.Tail(step.Along) : this->Flipped.Head(step.Against));
   }
 
   /// Appends the places where an edge crosses those of the surface, and its end.
   void Trace(const EdgePath::Step& step, std::vector<Vector3>& points) const
   {
-    const int h = step.Along >= 0 ? step.Along : step.Against;
-    std::vector<Vector3> crossings = this->Crossings(h);
-    if (step.Along < 0)
+    const bool isAlong = step.Along >= 0 && (step.Against < 0 || this->IsSeenFrom(this->Flipped.Tail(step.Along)));
+    std::vector<Vector3> crossings = this->Crossings(isAlong ? step.Along : step.Against);
+    if (!isAlong)
     {
       std::reverse(crossings.begin(), crossings.end());
     }
     points.insert(points.end(), crossings.begin(), crossings.end());
-    points.push_back(this->Mesh.Position(step.Along >= 0 ? this->Flipped.Head(h) : this->Flipped.Tail(h)));
+    points.push_back(this->PositionOf(isAlong ? this->Flipped.Head(step.Along) : this->Flipped.Tail(step.Against)));
   }
 
 private:
+  /// Whether directions at a vertex are those of the surface.
+  bool IsSeenFrom(int vertex) const
+  {
+    const int added = vertex - this->Mesh.NumberOfVertices();
+    return added < 0 || this->Added[added].At.Face >= 0;
+  }
+
+  /// From a vertex that was added.
+  std::vector<Vector3> CrossingsFrom(int vertex, int halfedge) const
+  {
+    constexpr double Rounding = 1e-7;
+    std::vector<Vector3> crossings;
+    SurfacePoint at = this->Added[vertex - this->Mesh.NumberOfVertices()].At;
+    if (at.Face >= 0) // else along an edge of the surface
+    {
+      Complex direction = std::polar(1.0, this->Flipped.Direction(halfedge));
+      this->Unfolded.GoStraight(at, direction, (1.0 - Rounding) * this->Flipped.Length(halfedge), &crossings);
+    }
+    return crossings;
+  }
+
   std::vector<Vector3> Crossings(int halfedge) const
   {
     constexpr double Rounding = 1e-7;
     const int tail = this->Flipped.Tail(halfedge), head = this->Flipped.Head(halfedge);
+    if (tail >= this->Mesh.NumberOfVertices())
+    {
+      return this->CrossingsFrom(tail, halfedge);
+    }
     int start = -1;
     double turn = 0.0, leastBeyond = std::numeric_limits<double>::infinity();
     bool isEdge = false;
@@ -109,6 +142,7 @@ private:
   }
 
   const IntrinsicTriangulation& Flipped;
+  const std::vector<VertexOfPath>& Added;
   const TriangleMesh& Mesh;
   const VertexConnection& Connection;
   const UnfoldedSurface Unfolded;
@@ -136,13 +170,13 @@ EdgePath EdgesBeside(const std::vector<ShortestPath>& paths, int target, const I
 }
 
 std::vector<Vector3> TracePath(const EdgePath& path, int target, const IntrinsicTriangulation& flipped,
-  const FramedMesh& surface, const VertexConnection& connection)
+  const FramedMesh& surface, const VertexConnection& connection, const std::vector<VertexOfPath>& added)
 {
+  const EdgeTracer tracer(flipped, surface, connection, added);
   if (path.Steps.empty())
   {
-    return { surface.Mesh.Position(target) };
+    return { tracer.PositionOf(target) };
   }
-  const EdgeTracer tracer(flipped, surface, connection);
   std::vector<Vector3> points = { tracer.StartOf(path.Steps.front()) };
   for (const EdgePath::Step& step : path.Steps)
   {

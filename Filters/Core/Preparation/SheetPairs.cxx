@@ -9,7 +9,8 @@
 namespace dmg
 {
 
-SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const ExecutionContext& context)
+SheetPairs PairSheets(
+  const Points& positions, const Triangles& triangles, const PairingOptions& options, const ExecutionContext& context)
 {
   const int* const corners = triangles.data();
   const int numberOfPoints = static_cast<int>(positions.rows());
@@ -21,7 +22,7 @@ SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const
     context);
   SheetPairs pairs;
   pairs.Opposite.assign(sides.Items.size(), -1);
-  SheetsAtEdge sheets(positions, triangles);
+  SheetsAtEdge sheets(positions, triangles, options);
   for (int point = 0; point < numberOfPoints; ++point)
   {
     const ItemOfPair* const end = sides.Items.data() + sides.Begins[point + 1];

@@ -47,10 +47,18 @@ struct SheetPairs
   }
 };
 
+struct PairingOptions
+{
+  /// Whether only sides of opposite directions are paired at edges of more than two triangles, so that no triangle is turned for one there.
+  bool KeepsDirections = false;
+  std::vector<char> HasBothSides = {}; ///< per triangle, whether it is given in the other direction, too; or empty
+};
+
 /// Pairs the triangles at each edge: two triangles whatever their orientation, more than two as SheetsAtEdge does.
 /// \pre the corners of a triangle differ.
 /// Cost: linear; n log n in the number of triangles at an edge.
-SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const ExecutionContext& context);
+SheetPairs PairSheets(
+  const Points& positions, const Triangles& triangles, const PairingOptions& options, const ExecutionContext& context);
 
 }
 

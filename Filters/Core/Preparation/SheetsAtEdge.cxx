@@ -27,9 +27,10 @@ double SignedVolume(const Points& positions, const Triangles& triangles)
 
 }
 
-SheetsAtEdge::SheetsAtEdge(const Points& positions, const Triangles& triangles)
+SheetsAtEdge::SheetsAtEdge(const Points& positions, const Triangles& triangles, const PairingOptions& options)
   : Positions(positions)
   , Corners(triangles.data())
+  , Options(options)
   , IsInsideOut(triangles.rows() > 0 && SignedVolume(positions, triangles) < 0.0)
 {
 }
@@ -39,10 +40,10 @@ void SheetsAtEdge::Pair(const ItemOfPair* first, const ItemOfPair* last, SheetPa
   this->Collect(first, last);
   const auto forward =
     std::count_if(this->Sheets.begin(), this->Sheets.end(), [](const Sheet& sheet) { return sheet.IsForward; });
-  const bool areBalanced = 2 * forward == static_cast<std::ptrdiff_t>(this->Sheets.size());
+  const bool areBalanced = 2 * forward == static_cast<std::ptrdiff_t>(this->Sheets.size()) && !this->HaveBothSides();
   if (!areBalanced || !this->HasTwins())
   {
-    this->PairSmoothest(areBalanced, pairs);
+    this->PairSmoothest(areBalanced || this->Options.KeepsDirections, !areBalanced, pairs);
   }
   if (areBalanced)
   {
@@ -86,20 +87,27 @@ bool SheetsAtEdge::HasTwins() const
   return std::adjacent_find(others.begin(), others.end()) != others.end();
 }
 
+bool SheetsAtEdge::HaveBothSides() const
+{
+  return !this->Options.HasBothSides.empty() &&
+    std::all_of(this->Sheets.begin(), this->Sheets.end(),
+      [this](const Sheet& sheet) { return this->Options.HasBothSides[sheet.Side / 3] != 0; });
+}
+
 void SheetsAtEdge::Join(int i, int j, SheetPairs& pairs)
 {
   pairs.Join(this->Sheets[i].Side, this->Sheets[j].Side);
   this->Sheets[i].IsLeft = this->Sheets[j].IsLeft = false;
 }
 
-void SheetsAtEdge::PairSmoothest(bool areBalanced, SheetPairs& pairs)
+void SheetsAtEdge::PairSmoothest(bool areOpposite, bool isBentToo, SheetPairs& pairs)
 {
   const int size = static_cast<int>(this->Sheets.size());
   this->Left[0].clear();
   this->Left[1].clear();
   this->Choices.clear();
   const auto placesOf = [&](int i) -> std::set<Place>&
-  { return this->Left[areBalanced && this->Sheets[i].IsForward ? 1 : 0]; };
+  { return this->Left[areOpposite && this->Sheets[i].IsForward ? 1 : 0]; };
   for (int i = 0; i < size; ++i)
   {
     if (this->Sheets[i].HasArea)
@@ -109,9 +117,9 @@ void SheetsAtEdge::PairSmoothest(bool areBalanced, SheetPairs& pairs)
   }
   for (int i = 0; i < size; ++i)
   {
-    this->Look(i, areBalanced);
+    this->Look(i, areOpposite);
   }
-  bool isFirst = !areBalanced; // which stays joined whatever its bend is
+  bool isFirst = isBentToo; // which stays joined whatever its bend is
   while (!this->Choices.empty())
   {
     const Choice choice = *this->Choices.begin();
@@ -131,16 +139,16 @@ void SheetsAtEdge::PairSmoothest(bool areBalanced, SheetPairs& pairs)
     }
     else if (this->Sheets[choice.Owner].IsLeft)
     {
-      this->Look(choice.Owner, areBalanced);
+      this->Look(choice.Owner, areOpposite);
     }
   }
 }
 
-void SheetsAtEdge::Look(int owner, bool areBalanced)
+void SheetsAtEdge::Look(int owner, bool areOpposite)
 {
   constexpr double Gain = 1e-9; // equal choices do not hang on rounding
   const Sheet& sheet = this->Sheets[owner];
-  const std::set<Place>& places = this->Left[areBalanced && !sheet.IsForward ? 1 : 0];
+  const std::set<Place>& places = this->Left[areOpposite && !sheet.IsForward ? 1 : 0];
   if (places.empty() || !sheet.HasArea)
   {
     return;

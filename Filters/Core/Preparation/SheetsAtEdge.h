@@ -19,11 +19,12 @@ namespace dmg
 /// continuations, within 45 degrees of a plane, then the two sides of each wedge of the inside. Twins, where two solids share a
 /// face, leave wedges only.
 /// Elsewhere the two triangles nearest to one plane stay joined, whatever their orientation, and so do the nearest of
-/// the rest within 45 degrees: a plate goes on under its stiffener.
+/// the rest within 45 degrees: a plate goes on under its stiffener. So do triangles that are given with both of their sides, as
+/// they have no orientation.
 class SheetsAtEdge
 {
 public:
-  SheetsAtEdge(const Points& positions, const Triangles& triangles);
+  SheetsAtEdge(const Points& positions, const Triangles& triangles, const PairingOptions& options);
 
   /// Pairs the sides of an edge from first to last.
   void Pair(const ItemOfPair* first, const ItemOfPair* last, SheetPairs& pairs);
@@ -52,14 +53,17 @@ private:
 
   void Collect(const ItemOfPair* first, const ItemOfPair* last);
   bool HasTwins() const;
-  void PairSmoothest(bool areBalanced, SheetPairs& pairs);
+  bool HaveBothSides() const;
+  /// \param areOpposite whether only sides of opposite directions are paired. \param isBentToo whether the smoothest pair may have any bend.
+  void PairSmoothest(bool areOpposite, bool isBentToo, SheetPairs& pairs);
   /// Looks for the smoothest continuation among those that are left.
-  void Look(int owner, bool areBalanced);
+  void Look(int owner, bool areOpposite);
   void PairWedges(SheetPairs& pairs);
   void Join(int i, int j, SheetPairs& pairs);
 
   const Points& Positions;
   const int* const Corners;
+  const PairingOptions& Options;
   bool IsInsideOut; ///< normals of closed surfaces point inwards
   std::vector<Sheet> Sheets;
   std::set<Place> Left[2]; ///< by direction

@@ -180,7 +180,39 @@ private:
     {
       this->CornersOfParticipants.row(static_cast<Eigen::Index>(i)) = this->Corners.row(this->Participants[i]);
     }
-    this->Pairs = PairSheets(this->Input.Positions, this->CornersOfParticipants, this->Context);
+    this->Pairing.HasBothSides = this->AreGivenWithBothSides();
+    this->Pairs = this->PairBy(this->Pairing);
+  }
+
+  SheetPairs PairBy(const PairingOptions& options) const
+  {
+    return PairSheets(this->Input.Positions, this->CornersOfParticipants, options, this->Context);
+  }
+
+  /// Whether participants have a twin that runs the other way round.
+  std::vector<char> AreGivenWithBothSides() const
+  {
+    std::vector<char> haveOther(this->Size, 0);
+    for (int t = 0; t < this->Size; ++t)
+    {
+      const int first = this->Twins[t];
+      if (first != t && this->TakesPart[first] && !this->Input.IsLeftOut(t))
+      {
+        const auto at = [this](int triangle, int k) { return this->Places[this->Corners(triangle, k % 3)]; };
+        int k = 0;
+        while (k < 3 && at(first, k) != at(t, 0))
+        {
+          ++k;
+        }
+        haveOther[first] |= at(first, k + 1) == at(t, 2) && at(first, k + 2) == at(t, 1) ? 1 : 0;
+      }
+    }
+    std::vector<char> ofParticipants;
+    for (const int t : this->Participants)
+    {
+      ofParticipants.push_back(haveOther[t]);
+    }
+    return ofParticipants;
   }
 
   bool JoinPoints()
@@ -208,9 +240,42 @@ private:
   {
     this->RefuseWithoutParticipants();
     this->Sides = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
+    this->TurnNothingWherePossible();
     TurnOver(this->CornersOfParticipants, this->Pairs, this->Sides.IsTurned);
     this->Fans = VerticesOfFans(
       static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
+  }
+
+  /// Triangles that agree with each other at all other edges do so at those of more than two, if no more of them end there.
+  void TurnNothingWherePossible()
+  {
+    if (this->Pairs.Crossed.empty() || !this->Turns(this->Sides))
+    {
+      return;
+    }
+    PairingOptions options = this->Pairing;
+    options.KeepsDirections = true;
+    SheetPairs pairs = this->PairBy(options);
+    Orientation sides = Orient(this->Input.Positions, this->CornersOfParticipants, pairs);
+    const auto ends = [](const SheetPairs& of) { return std::count(of.Opposite.begin(), of.Opposite.end(), -1); };
+    if (ends(pairs) <= ends(this->Pairs) && !this->Turns(sides))
+    {
+      this->Pairs = std::move(pairs);
+      this->Sides = std::move(sides);
+    }
+  }
+
+  /// Whether some triangle that has one direction is turned, or an edge is cut.
+  bool Turns(const Orientation& sides) const
+  {
+    for (std::size_t i = 0; i < sides.IsTurned.size(); ++i)
+    {
+      if (sides.IsTurned[i] && !this->Pairing.HasBothSides[i])
+      {
+        return true;
+      }
+    }
+    return !sides.Cut.empty();
   }
 
   /// Triangles of parts without area become their longest side, so that they have the faces around it. Flat triangles between others stay,
@@ -244,6 +309,7 @@ private:
   std::vector<char> TakesPart;   ///< per triangle
   std::vector<int> Participants; ///< the triangles that take part
   Triangles CornersOfParticipants;
+  PairingOptions Pairing;
   SheetPairs Pairs;  ///< of kept triangles
   Orientation Sides; ///< of kept triangles
   FanVertices Fans;

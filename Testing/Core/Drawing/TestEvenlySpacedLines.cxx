@@ -411,6 +411,20 @@ TEST(EvenlySpacedLines, ThatAreAllTooShortAreTriedOnce)
   EXPECT_LT(work[1], 8 * work[0]);
 }
 
+// Many triangles to each line, and many lines to each triangle.
+TEST(EvenlySpacedLines, TellHowFarTheyAreInSmallSteps)
+{
+  const DrawnField field(Icosphere(6), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+  for (const double separation : { 0.5, 0.02 })
+  {
+    TbbContext context(1);
+    Draw(field, { separation, 0.5, 0.0 }, context);
+    const std::vector<double>& progress = context.Progress();
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_GE(progress.size(), 100U) << separation; // each of them for at most 512 of 82 thousand triangles
+  }
+}
+
 TEST(EvenlySpacedLines, CanBeCancelled)
 {
   const DrawnField field(Icosphere(5), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });

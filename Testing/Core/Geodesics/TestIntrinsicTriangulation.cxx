@@ -206,3 +206,54 @@ TEST(EdgePath, BecomesAStraightLineInAPlane)
     }
   }
 }
+
+TEST(IntrinsicTriangulation, TakesFurtherVerticesAndKeepsItsShape)
+{
+  const FramedMesh surface(IrregularTorus(14, 9, 5).Mesh());
+  const VertexConnection connection(surface);
+  IntrinsicTriangulation triangulation(surface, connection);
+  double area = 0.0;
+  for (int face = 0; face < triangulation.NumberOfFaces(); ++face)
+  {
+    area += triangulation.Area(face);
+  }
+  const int former = triangulation.NumberOfVertices();
+  const std::vector<double> angles = [&]
+  {
+    std::vector<double> sums(former, 0.0);
+    for (int h = 0; h < triangulation.NumberOfHalfedges(); ++h)
+    {
+      sums[triangulation.Tail(h)] += triangulation.CornerAngle(h);
+    }
+    return sums;
+  }();
+  for (int k = 0; k < 40; ++k)
+  {
+    const int h = (7 * k) % triangulation.NumberOfHalfedges();
+    const auto added = k % 2 == 0
+      ? triangulation.SplitEdge(h, 0.3, 0.7)
+      : triangulation.SplitFace(h, (triangulation.Length(h) + triangulation.Apex(h)) / 3.0, 0.7);
+    EXPECT_EQ(added.Vertex, former + k);
+    EXPECT_EQ(triangulation.Tail(triangulation.Twin(added.Now(h))), triangulation.Head(added.Now(h)));
+  }
+  std::vector<double> sums(triangulation.NumberOfVertices(), 0.0);
+  double areaNow = 0.0;
+  for (int h = 0; h < triangulation.NumberOfHalfedges(); ++h)
+  {
+    sums[triangulation.Tail(h)] += triangulation.CornerAngle(h);
+    areaNow += h % 3 == 0 ? triangulation.Area(h / 3) : 0.0;
+    const int twin = triangulation.Twin(h);
+    EXPECT_EQ(triangulation.Twin(twin), h);
+    EXPECT_EQ(triangulation.Tail(twin), triangulation.Head(h));
+    EXPECT_NEAR(triangulation.Length(twin), triangulation.Length(h), 1e-12);
+    // Directions around a vertex follow from one another.
+    const int back = TriangleMesh::Previous(h), tail = triangulation.Tail(h);
+    const double next = triangulation.Direction(h) + triangulation.Stretch(tail) * triangulation.CornerAngle(h);
+    EXPECT_NEAR(std::remainder(triangulation.Direction(triangulation.Twin(back)) - next, 2.0 * Pi), 0.0, 1e-9);
+  }
+  EXPECT_NEAR(areaNow, area, 1e-9);
+  for (int vertex = 0; vertex < triangulation.NumberOfVertices(); ++vertex)
+  {
+    EXPECT_NEAR(sums[vertex], vertex < former ? angles[vertex] : 2.0 * Pi, 1e-9);
+  }
+}

@@ -384,15 +384,11 @@ TEST(SurfaceDistance, HasPathsThatAreStraightOnAFoldedSheet)
     { 19.5, 3.7, 0.0 } };
   DistanceSources sources;
   sources.Points = { Folded(start, Row) };
-  DistanceOptions options;
-  for (const Vector3& target : targets)
-  {
-    options.Targets.push_back(Folded(target, Row));
-  }
-  const SurfaceDistance distance(surface, sources, options);
+  const SurfaceDistance distance(surface, sources);
   for (int k = 0; k < static_cast<int>(targets.size()); ++k)
   {
-    const SurfacePath path = distance.PathToTarget(k);
+    const SurfacePath path = distance.PathTo(Folded(targets[k], Row));
+    EXPECT_NEAR(path.Distance, (targets[k] - start).norm(), 1e-6);
     EXPECT_NEAR(path.Length, (targets[k] - start).norm(), 1e-6);
     EXPECT_NEAR(LengthOf(path.Points), path.Length, 1e-6);
     EXPECT_LE((path.Points.front() - Folded(start, Row)).norm(), 1e-9);
@@ -405,15 +401,89 @@ TEST(SurfaceDistance, HasPathsThatAreStraightOnAFoldedSheet)
   }
 }
 
+TEST(SurfaceDistance, HasPathsThatStartAtTheNearestPlaceOfALine)
+{
+  constexpr int Cells = 20, Row = 7;
+  const Surface flat = IrregularSheet(Cells, Row, 1.0);
+  const FramedMesh surface(Folded(flat, Row).Mesh());
+  const Vector3 start(3.2, 2.3, 0.0), end(14.7, 5.9, 0.0); // in the lower part
+  DistanceSources sources;
+  sources.Lines = { { start, end } };
+  const SurfaceDistance distance(surface, sources);
+  Random random(7);
+  for (int k = 0; k < 60; ++k)
+  {
+    const Vector3 target(20.0 * random.Uniform(), 20.0 * random.Uniform(), 0.0);
+    const double part = std::clamp((target - start).dot(end - start) / (end - start).squaredNorm(), 0.0, 1.0);
+    const Vector3 foot = start + part * (end - start);
+    const SurfacePath path = distance.PathTo(Folded(target, Row));
+    EXPECT_NEAR(path.Length, (target - foot).norm(), 1e-6) << k;
+    EXPECT_NEAR(LengthOf(path.Points), path.Length, 1e-6) << k;
+    EXPECT_LE((path.Points.front() - foot).norm(), 2e-4) << k; // places move by 1e-5 of a face
+    EXPECT_LE((path.Points.back() - Folded(target, Row)).norm(), 1e-6) << k;
+  }
+  EXPECT_EQ(distance.PathTo(Vector3(start + 0.3 * (end - start))).Length, 0.0);
+}
+
+TEST(SurfaceDistance, HasPathsFromCurvesThatLeaveThemAtARightAngle)
+{
+  const FramedMesh surface(IrregularSphere(4, 5).Mesh());
+  DistanceSources sources;
+  sources.Lines.emplace_back();
+  for (int k = 0; k <= 90; ++k)
+  {
+    sources.Lines[0].emplace_back(std::cos(k * Pi / 45.0), std::sin(k * Pi / 45.0), 0.0); // the equator
+  }
+  DistanceOptions options;
+  options.Signed = true;
+  const SurfaceDistance distance(surface, sources, options);
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); vertex += 50)
+  {
+    const Vector3 place = surface.Mesh.Position(vertex);
+    const double latitude = std::asin(place.z() / place.norm());
+    for (const SurfacePath& path : { distance.PathTo(vertex), distance.PathTo(place) })
+    {
+      EXPECT_NEAR(path.Length, std::abs(latitude), 0.005) << vertex;
+      EXPECT_NEAR(path.Distance, -latitude, 0.005) << vertex; // the north is to the left, which is inside
+      EXPECT_LE(path.Length, std::abs(path.Distance) + 1e-3) << vertex;
+      if (std::abs(latitude) > 0.1 && std::abs(latitude) < 1.3)
+      {
+        const Vector3 first = path.Points.front();
+        const double longitude = std::atan2(first.y(), first.x()) - std::atan2(place.y(), place.x());
+        EXPECT_NEAR(std::remainder(longitude, 2.0 * Pi), 0.0, 0.05) << vertex;
+      }
+    }
+  }
+}
+
+TEST(SurfaceDistance, IsZeroToPlacesInARegion)
+{
+  const Surface plane = PlaneGrid(6, 6);
+  const FramedMesh surface(plane.Mesh());
+  DistanceSources sources;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    const Vector3 centre = (surface.Mesh.Position(plane.F(face, 0)) + surface.Mesh.Position(plane.F(face, 1)) +
+                             surface.Mesh.Position(plane.F(face, 2))) /
+      3.0;
+    sources.Region.push_back(centre.x() < 3.0 ? 1 : 0);
+  }
+  const SurfaceDistance distance(surface, sources);
+  EXPECT_EQ(distance.PathTo(Vector3(1.3, 2.4, 0.0)).Length, 0.0);
+  EXPECT_EQ(distance.PathTo(Vector3(1.3, 2.4, 0.0)).Distance, 0.0);
+  const SurfacePath path = distance.PathTo(Vector3(5.3, 2.4, 0.0));
+  EXPECT_NEAR(path.Length, 2.3, 1e-9);
+  EXPECT_NEAR(path.Distance, 2.3, 1e-9);
+  EXPECT_LE((path.Points.front() - Vector3(3.0, 2.4, 0.0)).norm(), 1e-6);
+}
+
 TEST(SurfaceDistance, HasPathsAroundAHoleOnSurfacesWithBoundary)
 {
   const FramedMesh surface(Annulus(64, 12).Mesh()); // around the unit circle
   DistanceSources sources;
   sources.Points = { { 1.5, 0.0, 0.0 } };
-  DistanceOptions options;
-  options.Targets = { { -1.5, 0.01, 0.0 } };
-  const SurfaceDistance distance(surface, sources, options);
-  const SurfacePath path = distance.PathToTarget(0);
+  const SurfaceDistance distance(surface, sources);
+  const SurfacePath path = distance.PathTo(Vector3(-1.5, 0.01, 0.0));
   // The inner boundary is a polygon whose corners are on the circle.
   const double tangent = std::sqrt(1.5 * 1.5 - 1.0), arc = Pi - 2.0 * std::acos(1.0 / 1.5);
   EXPECT_NEAR(path.Length, 2.0 * tangent + arc, 0.02);
@@ -587,12 +657,13 @@ TEST(SurfaceDistance, IsFiniteOnDifficultSurfaces)
     DistanceSources sources;
     DistanceOptions options;
     options.MaximumSourceDistance = 10.0;
+    std::vector<Vector3> targets;
     for (int k = 0; k < 10; ++k)
     {
       const auto place = [&] { return mesh.Position(random.Index(mesh.NumberOfVertices())); };
       sources.Points.emplace_back(0.6 * place() + 0.4 * place());
       sources.Lines.push_back({ place(), place(), place() });
-      options.Targets.push_back(place());
+      targets.push_back(place());
     }
     const SurfaceDistance distance(surface, sources, options);
     EXPECT_EQ(distance.Field().Unreached, 0);
@@ -600,7 +671,7 @@ TEST(SurfaceDistance, IsFiniteOnDifficultSurfaces)
     EXPECT_TRUE(distance.Field().Directions.allFinite());
     for (int k = 0; k < 10; ++k)
     {
-      EXPECT_TRUE(std::isfinite(distance.PathToTarget(k).Length));
+      EXPECT_TRUE(std::isfinite(distance.PathTo(targets[k]).Length));
     }
   }
 }
@@ -662,7 +733,8 @@ TEST(SurfaceDistance, RefusesWhatItCannotUse)
   options.MaximumDistance = 2.0;
   const SurfaceDistance distance(surface, sources, options);
   EXPECT_THROW(distance.PathTo(25), InvalidInput);
-  EXPECT_THROW(distance.PathToTarget(0), InvalidInput);
+  EXPECT_THROW(distance.PathTo(Vector3(0.0, std::nan(""), 0.0)), InvalidInput);
+  EXPECT_TRUE(distance.PathTo(Vector3(0.0, 0.0, 50.0)).Points.empty());
   EXPECT_THROW(distance.OffsetLines({ 3.0 }), InvalidInput);
   EXPECT_TRUE(distance.PathTo(24).Points.empty());
 }

@@ -383,6 +383,57 @@ TEST(PreparedSurface, TakesOneSideOfASheetWithTwo)
   EXPECT_EQ(prepared.Report.Text(), "24 cells doubled");
 }
 
+// Three sheets at an edge, of which the flattest two disagree: nothing is turned, as each of them has another that agrees.
+TEST(PreparedSurface, TurnsNoSheetThatAgreesWithAnother)
+{
+  const double angles[] = { 0.0, 125.0, 240.0 };
+  Surface book{ Points(5, 3), Triangles(3, 3) };
+  book.V.topRows(2) << 0, 0, 0, 0, 0, 1;
+  for (int sheet = 0; sheet < 3; ++sheet)
+  {
+    book.V.row(2 + sheet) << std::cos(angles[sheet] * Pi / 180.0), std::sin(angles[sheet] * Pi / 180.0), 0.5;
+    book.F.row(sheet) << (sheet < 2 ? 0 : 1), (sheet < 2 ? 1 : 0), 2 + sheet;
+  }
+  const PreparedSurface prepared = Prepared(book);
+  EXPECT_EQ(prepared.Report.Text(), "1 edge of more than two sheets parted");
+  const std::vector<int> components = FaceComponents(prepared.Mesh);
+  const auto componentOf = [&](int cell) { return components[prepared.Relation.FacesOf(cell).front()]; };
+  EXPECT_EQ(componentOf(0), componentOf(2)); // flatter than 1 and 2
+  EXPECT_NE(componentOf(0), componentOf(1));
+}
+
+// Two plates that cross, each given with both of its sides, in any order: each goes on through the other.
+TEST(PreparedSurface, LetsPlatesWithTwoSidesCross)
+{
+  for (int order = 0; order < 16; ++order)
+  {
+    Surface plates{ Points(10, 3), Triangles(16, 3) };
+    plates.V << 0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, -1, 0, 0, -1, 0, 1, 0, 1, 0, 0, 1, 1, 0, -1, 0, 0, -1, 1;
+    for (int half = 0; half < 4; ++half)
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        const int low = 2 + 2 * half, row = 4 * half + 2 * side;
+        const bool isReversed = (side == 1) != ((order >> half & 1) != 0);
+        plates.F.row(row) << 0, low, low + 1;
+        plates.F.row(row + 1) << 0, low + 1, 1;
+        if (isReversed)
+        {
+          plates.F.row(row).reverseInPlace();
+          plates.F.row(row + 1).reverseInPlace();
+        }
+      }
+    }
+    const PreparedSurface prepared = Prepared(plates);
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2) << order; // two discs
+    const std::vector<int> components = FaceComponents(prepared.Mesh);
+    const auto componentOf = [&](int half) { return components[prepared.Relation.FacesOf(4 * half).front()]; };
+    EXPECT_EQ(componentOf(0), componentOf(1)) << order;
+    EXPECT_EQ(componentOf(2), componentOf(3)) << order;
+    EXPECT_NE(componentOf(0), componentOf(2)) << order;
+  }
+}
+
 // Whatever solids touch along edges, their common boundary is closed, and each triangle runs as it was given.
 TEST(PreparedSurface, KeepsAnyVoxelsClosed)
 {

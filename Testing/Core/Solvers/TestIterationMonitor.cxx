@@ -3,6 +3,7 @@
 #include "Support/MatrixOperator.h"
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -52,6 +53,30 @@ protected:
   std::optional<IterationMonitor<double>> Iteration;
 };
 
+}
+
+TEST_F(MonitoredIteration, AsksForNoMoreIterationsWhereRoundingHasEndedThem)
+{
+  for (const bool isEnded : { false, true })
+  {
+    constexpr int Limit = 20;
+    this->x.resize(0);
+    this->Report.Warnings.clear();
+    this->Begin({ 1e-11, Limit });
+    for (int iteration = 1; iteration <= Limit; ++iteration)
+    {
+      ASSERT_TRUE(this->Iteration->MayContinue());
+      this->GoTo(1.0 - 1e-9 * (iteration <= 2 || isEnded ? std::abs(iteration - 2) + 1 : 1.0 / iteration));
+      this->Iteration->Precondition(this->r, this->z);
+      this->Iteration->KeepBest();
+    }
+    EXPECT_FALSE(this->Iteration->MayContinue());
+    this->Iteration->End();
+    EXPECT_EQ(this->Report.Returned, isEnded ? 2 : Limit);
+    ASSERT_EQ(this->Report.Warnings.size(), 1U);
+    EXPECT_EQ(this->Report.Warnings[0].find("rounding") != std::string::npos, isEnded) << this->Report.Warnings[0];
+    EXPECT_EQ(this->Report.Warnings[0].find("raise") == std::string::npos, isEnded);
+  }
 }
 
 TEST_F(MonitoredIteration, BestIsTheOneBeforeWhereAMeasuredResidualIsRaised)

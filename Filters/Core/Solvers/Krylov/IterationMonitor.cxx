@@ -139,8 +139,14 @@ bool IterationMonitor<Scalar>::MayContinue()
   {
     return true;
   }
-  this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) + " iterations is reached; raise " +
-    TextOf(Remedy::Iterations);
+  this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) + " iterations is reached; ";
+  constexpr double NearRounding = 1e-7;
+  constexpr int LongEnough = 10;
+  const int since = this->IterationsSinceBest();
+  const bool haveEnded = since >= LongEnough && 2 * since > this->Stop.MaximumIterations && best <= NearRounding;
+  this->Reason += haveEnded
+    ? "rounding errors have forbidden a smaller one since then, so that more iterations do not help"
+    : "raise " + TextOf(Remedy::Iterations);
   return false;
 }
 
