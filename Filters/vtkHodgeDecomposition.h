@@ -80,8 +80,7 @@
  *
  * Two solves for each flow; one more, once, for each island, and for each open part and loop around handles and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
- * times pass through. Where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the
- * surface.
+ * times pass through. Where no flow is chosen, the first output is the input, beside the error.
  *
  * @sa vtkHarmonicFieldSolver
  */
