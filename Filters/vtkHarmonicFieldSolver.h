@@ -193,6 +193,10 @@ public:
    * directions nearly everywhere, as measured ones do. Details smaller than that fade, whatever the resolution: a wave of length l
    * keeps 1 / (1 + (2 pi SmoothingLength / l)^2) of its amplitude. It takes the place of Alignment, and has no effect on guides,
    * features and hard constraints. Default 0, off; range 0 to 1.
+   *
+   * The smoothed field does not change across a boundary. At the rim of a solid rotation it is off by the change of the speed over one such
+   * length, at three lengths from the rim by 5 % of that; and it crosses coasts. Leave out a band of three lengths (vtkClipPolyData). A flow
+   * that may not cross coasts is smoothed by vtkScaleFilter, by its parts.
    */
   vtkSetMacro(SmoothingLength, double);
   vtkGetMacro(SmoothingLength, double);

@@ -2,6 +2,7 @@
 
 #include "Adapters/Output/CurvaturesToArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -27,6 +28,7 @@ int vtkPrincipalDirections::RequestData(
     const dmg::FramedMesh& framed = view.Surface().Geometry;
     dmg::PrincipalDirections found =
       dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.85));
+    dmg::Warn(this, { dmg::WarningOfScale(framed, found, this->Scale) });
     dmg::CombSigns(framed, found, dmg::PartOfContext(context, 0.85, 0.9));
     view.StartOutput(vtkDataSet::GetData(outputVector), this->GetClassName());
     dmg::AddCurvatures(view, found, dmg::PartOfContext(context, 0.9, 1.0));

@@ -1,5 +1,6 @@
 #include "ProblemConstraints.h"
 
+#include "Mesh/NormalParts.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
@@ -81,6 +82,7 @@ FollowedConstraints ProblemConstraints::Follow(const FieldProblem& problem, cons
   {
     return followed;
   }
+  this->TakeOutNormalParts(followed.Constraints.AtVertices);
   const int N = discretisation.DirectionsPerPoint();
   const std::size_t warnings = followed.Warnings.size();
   this->AddFeatures(problem, N, followed, context);
@@ -174,6 +176,18 @@ FollowedFeatures ConstraintsOnMesh::DirectionsOfFeatures(
   const bool followsCurvature = options.CurvatureWeight > 0.0 && N % 2 == 0;
   return FollowFeatures(
     this->Surface, N, options, followsCurvature ? &this->Curvatures(options.CurvatureScale, context) : nullptr);
+}
+
+void ConstraintsOnMesh::TakeOutNormalParts(std::vector<Constraint>& atVertices)
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  for (Constraint& at : atVertices)
+  {
+    if (at.Element >= 0 && at.Element < mesh.NumberOfVertices())
+    {
+      at.Direction = WithoutNormalPart(mesh, at.Element, at.Direction);
+    }
+  }
 }
 
 void ConstraintsOnMesh::Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names)

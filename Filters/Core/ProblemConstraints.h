@@ -51,6 +51,8 @@ protected:
   virtual FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) = 0;
   virtual FollowedFeatures DirectionsOfFeatures(
     const FeatureOptions& options, int N, const ExecutionContext& context) = 0;
+  /// Takes parts along normals out of directions at vertices, but for elements that are none (WithoutNormalPart).
+  virtual void TakeOutNormalParts(std::vector<Constraint>& atVertices) = 0;
   virtual void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) = 0;
   virtual CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) = 0;
   /// Whether something holds on any piece of the surface.
@@ -84,6 +86,7 @@ protected:
   }
   FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
   FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
+  void TakeOutNormalParts(std::vector<Constraint>& atVertices) override;
   void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
   CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) override;
 

@@ -115,6 +115,45 @@ TEST(FieldSolver, GivesWhatItsConstraintsGive)
   EXPECT_EQ(one.Solve(whole).Report.Converged, true);
 }
 
+// As those of tractions or of velocities through a surface. The normals of frames are off by a part of an angle between faces.
+TEST(FieldSolver, FollowsDirectionsAtVerticesWithoutTheirNormalParts)
+{
+  const TriangleMesh sphere = IrregularSphere(3, 5).Mesh();
+  for (const DiscretisationKind kind :
+    { DiscretisationKind::VertexPowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+  {
+    Points fields[2];
+    for (const double part : { 0.0, 10.0 })
+    {
+      FieldProblem problem;
+      problem.Options.Field.Kind = kind;
+      problem.Options.Field.N = 1;
+      problem.Stop.RelativeTolerance = 1e-12;
+      for (int vertex = 0; vertex < sphere.NumberOfVertices(); vertex += 3)
+      {
+        const Vector3 at = sphere.Position(vertex).normalized();
+        problem.Constraints.AtVertices.push_back({ vertex, Vector3::UnitZ().cross(at) + part * at, 1.0 });
+      }
+      FieldSolver solver{ TriangleMesh(sphere) };
+      solver.Solve(problem);
+      fields[part > 0.0 ? 1 : 0] = solver.Directions(0);
+    }
+    EXPECT_LT((fields[1] - fields[0]).cwiseAbs().maxCoeff(), 1e-7);
+  }
+}
+
+TEST(FieldSolver, NormalVectorsOfASphereAreNoDirections)
+{
+  const FramedMesh sphere(IrregularSphere(3, 5).Mesh());
+  Constraints radial;
+  for (int vertex = 0; vertex < sphere.Mesh.NumberOfVertices(); ++vertex)
+  {
+    radial.AtVertices.push_back({ vertex, 3.0 * sphere.Mesh.Position(vertex), 1.0 });
+  }
+  EXPECT_EQ(LeaveOutUnusable(radial, sphere).Perpendicular, sphere.Mesh.NumberOfVertices());
+  EXPECT_TRUE(radial.AtVertices.empty());
+}
+
 TEST(FieldSolver, HasPrescribedSingularitiesAndNoOthers)
 {
   const TriangleMesh mesh = Icosphere(3).Mesh();

@@ -1,7 +1,7 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
 #include "Adapters/Pipeline/FilterOutputs.h"
-#include "Flows/NormalParts.h"
+#include "Mesh/NormalParts.h"
 #include "Support/ShortText.h"
 
 #include <utility>

@@ -1,5 +1,6 @@
 #include "Constraints/Constraints.h"
 
+#include "Mesh/NormalParts.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
@@ -118,7 +119,9 @@ namespace
 {
 
 /// Keeps the usable constraints of one list.
-void KeepUsable(std::vector<Constraint>& constraints, const TangentFrames& frames, UnusableDirections& unusable)
+/// \param alongSurface (element, direction) the length of its part there.
+template <class AlongSurface>
+void KeepUsable(std::vector<Constraint>& constraints, const AlongSurface& alongSurface, UnusableDirections& unusable)
 {
   const auto isUnusable = [&](const Constraint& constraint)
   {
@@ -134,7 +137,7 @@ void KeepUsable(std::vector<Constraint>& constraints, const TangentFrames& frame
       return true;
     }
     const bool isPerpendicular =
-      !(std::abs(frames.ToComplex(constraint.Element, direction)) > SmallestTangentialPart * direction.stableNorm());
+      !(alongSurface(constraint.Element, direction) > SmallestTangentialPart * direction.stableNorm());
     unusable.Perpendicular += isPerpendicular ? 1 : 0;
     return isPerpendicular;
   };
@@ -146,8 +149,12 @@ void KeepUsable(std::vector<Constraint>& constraints, const TangentFrames& frame
 UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& surface)
 {
   UnusableDirections unusable;
-  KeepUsable(constraints.OnFaces, surface.Faces, unusable);
-  KeepUsable(constraints.AtVertices, surface.Vertices, unusable);
+  const auto onFace = [&surface](int face, const Vector3& direction)
+  { return std::abs(surface.Faces.ToComplex(face, direction)); };
+  const auto atVertex = [&surface](int vertex, const Vector3& direction)
+  { return std::abs(surface.Vertices.ToComplex(vertex, WithoutNormalPart(surface.Mesh, vertex, direction))); };
+  KeepUsable(constraints.OnFaces, onFace, unusable);
+  KeepUsable(constraints.AtVertices, atVertex, unusable);
   return unusable;
 }
 

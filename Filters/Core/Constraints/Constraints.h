@@ -37,6 +37,7 @@ struct ValueConstraint
 struct Constraints
 {
   std::vector<Constraint> OnFaces;
+  /// Parts along the normals of vertices (NormalOfVertex) do not count, however large they are.
   std::vector<Constraint> AtVertices;
   std::vector<ValueConstraint> Values = {}; ///< of functions
   Vector<double> Source = {};               ///< of functions, f in -Laplace u = f; one per vertex, or empty for zero

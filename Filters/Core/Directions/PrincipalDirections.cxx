@@ -215,6 +215,40 @@ PrincipalDirections FindPrincipalDirections(const FramedMesh& surface, double sc
   return found;
 }
 
+double ShareBentWithinScale(const FramedMesh& surface, const PrincipalDirections& directions, double scale)
+{
+  constexpr double LargestBend = 0.7;  // of a region, in radians
+  constexpr double SmallestBend = 0.1; // of a face
+  const TriangleMesh& mesh = surface.Mesh;
+  const SurfaceSizes sizes = SizesOf(mesh);
+  double bent = 0.0;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const double curvature =
+      std::max(std::abs(directions.Faces.Maximum[face]), std::abs(directions.Faces.Minimum[face]));
+    double longest = 0.0;
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      longest = std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm());
+    }
+    const double area = mesh.FaceArea(face);
+    const bool isBent = curvature * scale * sizes.MeanEdge > LargestBend;
+    const bool isResolved = curvature * 2.0 * area < SmallestBend * longest;
+    bent += isBent && isResolved ? area : 0.0;
+  }
+  return sizes.Area > 0.0 ? bent / sizes.Area : 0.0;
+}
+
+std::string WarningOfScale(const FramedMesh& surface, const PrincipalDirections& directions, double scale)
+{
+  constexpr double NotableShare = 0.2;
+  const double share = ShareBentWithinScale(surface, directions, scale);
+  return share < NotableShare ? ""
+                              : "on " + std::to_string(std::lround(100.0 * share)) +
+      " % of the surface, Scale reaches around bends that the triangles resolve, and curvatures are too small by a "
+      "sixth or more; choose a smaller Scale, down to 0";
+}
+
 void CombSigns(const FramedMesh& surface, PrincipalDirections& directions, const ExecutionContext& context)
 {
   constexpr int N = 2;

@@ -5,6 +5,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <string>
+
 namespace dmg
 {
 
@@ -53,6 +55,15 @@ struct PrincipalDirections
 /// Cost: O(scale^2) for each vertex, and at most O(scale^4) near vertices of many neighbours.
 PrincipalDirections FindPrincipalDirections(
   const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
+
+/// The share of the area where regions reach around bends that the triangles resolve: the largest curvature times the radius of regions
+/// is above 0.7, where it is found a sixth too small on a cylinder, and times the height of the face below 0.1. So it is at large
+/// scales, and at any but small ones on thin triangles, since the mean edge is then much longer than triangles are high.
+/// \param scale of FindPrincipalDirections.
+/// Cost: O(#F).
+double ShareBentWithinScale(const FramedMesh& surface, const PrincipalDirections& directions, double scale);
+/// The warning of it, for the user; empty where the share is below a fifth.
+std::string WarningOfScale(const FramedMesh& surface, const PrincipalDirections& directions, double scale);
 
 /// Chooses the signs of the directions, which have none, so that each continues as that of the next face wherever possible
 /// (CombingLabels); those of vertices agree with the faces around. Drawings that interpolate vectors need that.

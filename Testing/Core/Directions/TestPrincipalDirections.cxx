@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -317,6 +318,55 @@ TEST(PrincipalDirections, LookAtFewNeighboursEachBesideAVertexOfVeryMany)
   }
   // Three at each vertex of the rim, and the limit at the centre; each for all regions. The region of the centre is all.
   EXPECT_LE(fan.Looks, 4.0 * Triangles * static_cast<double>(region.Limit + 2));
+}
+
+/// A tube of radius 1 around the z-axis with 60 right triangles around, which are a number of times as long as high.
+Surface TubeOfLongTriangles(double ratio)
+{
+  constexpr int Around = 60;
+  Surface tube = Prism(Around, 12);
+  const double height = 2.0 * Pi / Around;
+  const double length = tube.V.col(2).maxCoeff() - tube.V.col(2).minCoeff();
+  for (int i = 0; i < tube.V.rows(); ++i)
+  {
+    tube.V.row(i).head<2>().normalize();
+    tube.V(i, 2) *= 12.0 * ratio * height / length;
+  }
+  return tube;
+}
+
+TEST(PrincipalDirections, OfATubeOfLongTrianglesAreExactAtASmallScaleAndToldAtALargeOne)
+{
+  const FramedMesh even(TubeOfLongTriangles(1.0).Mesh()), thin(TubeOfLongTriangles(20.0).Mesh());
+  for (const auto& [surface, scale] : { std::pair{ &even, 0.0 }, { &even, 3.0 }, { &thin, 0.0 } })
+  {
+    const PrincipalDirections found = FindPrincipalDirections(*surface, scale);
+    EXPECT_EQ(ShareBentWithinScale(*surface, found, scale), 0.0);
+    EXPECT_EQ(WarningOfScale(*surface, found, scale), "");
+    EXPECT_NEAR(found.Vertices.Maximum.mean(), 1.0, 0.05);
+  }
+  for (const auto& [surface, scale] : { std::pair{ &even, 15.0 }, { &thin, 3.0 } })
+  {
+    const PrincipalDirections found = FindPrincipalDirections(*surface, scale);
+    EXPECT_LT(found.Vertices.Maximum.mean(), 5.0 / 6.0);
+    EXPECT_NEAR(ShareBentWithinScale(*surface, found, scale), 1.0, 1e-12);
+    EXPECT_NE(WarningOfScale(*surface, found, scale).find("on 100 % of the surface"), std::string::npos);
+  }
+}
+
+TEST(PrincipalDirections, OfCoarseSpheresAndOfSharpEdgesAreNotTold)
+{
+  Surface folded = PlaneGrid(20, 10);
+  for (int i = 0; i < folded.V.rows(); ++i)
+  {
+    folded.V(i, 2) = std::max(folded.V(i, 0) - 10.0, 0.0);
+    folded.V(i, 0) = std::min(folded.V(i, 0), 10.0);
+  }
+  for (const Surface& shape : { Icosphere(0), Icosphere(2), folded })
+  {
+    const FramedMesh surface(shape.Mesh());
+    EXPECT_EQ(WarningOfScale(surface, FindPrincipalDirections(surface, 3.0), 3.0), "");
+  }
 }
 
 TEST(PrincipalDirections, HaveTheSameBitsForAnyNumberOfThreads)

@@ -1,5 +1,6 @@
 #include "Pieces/Constraints/ConstraintsInPieces.h"
 
+#include "Mesh/NormalParts.h"
 #include "Pieces/Constraints/CurvaturesInPieces.h"
 #include "Pieces/Constraints/GuidesInPieces.h"
 
@@ -128,6 +129,20 @@ const PrincipalCurvatures& ConstraintsInPieces::Curvatures(double scale, const E
     this->CurvaturesAtScale.emplace(scale, CurvaturesInPieces(this->Piece, scale, this->Sizes(), context));
   }
   return this->CurvaturesAtScale->second;
+}
+
+/// Vertices of own triangles have all their triangles here.
+void ConstraintsInPieces::TakeOutNormalParts(std::vector<Constraint>& atVertices)
+{
+  const std::vector<int>& vertices = this->Piece.VerticesOfPoints();
+  for (Constraint& at : atVertices)
+  {
+    const bool isPoint = at.Element >= 0 && at.Element < static_cast<int>(vertices.size());
+    if (isPoint && vertices[at.Element] >= 0)
+    {
+      at.Direction = WithoutNormalPart(this->Piece.Surface().Mesh, vertices[at.Element], at.Direction);
+    }
+  }
 }
 
 void ConstraintsInPieces::Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names)

@@ -35,6 +35,7 @@ protected:
   Discretisation::IntegralWeights WeightsOfIntegral(const Discretisation& discretisation) override;
   FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
   FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
+  void TakeOutNormalParts(std::vector<Constraint>& atVertices) override;
   void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
   CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) override;
   bool IsAnywhere(bool isHere) override { return this->Piece.Everyone().Any(isHere); }

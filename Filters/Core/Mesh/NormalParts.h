@@ -7,10 +7,15 @@
 namespace dmg
 {
 
-/// Unit normals at the vertices, #V x 3: of the sum over the corners of a x b / (|a|^2 |b|^2), a and b the sides from the vertex (N. Max,
+/// The unit normal at a vertex: of the sum over the corners of a x b / (|a|^2 |b|^2), a and b the sides from the vertex (N. Max,
 /// "Weights for computing vertex normals from facet normals", 1999). They are exact where the points lie on a sphere, of second order on other smooth
-/// surfaces, and of first order at boundaries. Cost: linear.
+/// surfaces, and of first order at boundaries.
+Vector3 NormalOfVertex(const TriangleMesh& mesh, int vertex);
+/// The same at all vertices, #V x 3. Cost: linear.
 Points NormalsOfVertices(const TriangleMesh& mesh);
+
+/// A vector at a vertex without its part along NormalOfVertex, as in WithoutNormalParts. Zero where less than 1e-6 of it is left.
+Vector3 WithoutNormalPart(const TriangleMesh& mesh, int vertex, const Vector3& vector);
 
 /// Vectors at vertices as a tangential part, and what is told of the rest.
 struct SplitVectors

@@ -1,4 +1,4 @@
-#include "Flows/NormalParts.h"
+#include "Mesh/NormalParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,9 @@ namespace dmg
 {
 namespace
 {
+
+/// The cosine of 30 degrees.
+constexpr double SharpCosine = 0.86602540378443865;
 
 /// The least cosine between the normal of a vertex and those of the faces around; 1 where these have no area.
 double LeastCosine(const TriangleMesh& mesh, int vertex, const Vector3& normal)
@@ -24,30 +27,46 @@ double LeastCosine(const TriangleMesh& mesh, int vertex, const Vector3& normal)
 
 }
 
+Vector3 NormalOfVertex(const TriangleMesh& mesh, int vertex)
+{
+  Vector3 sum = Vector3::Zero(), areas = Vector3::Zero();
+  mesh.VisitFan(vertex,
+    [&](int h)
+    {
+      const Vector3 a = mesh.Position(mesh.Head(h)) - mesh.Position(vertex);
+      const Vector3 b = mesh.Position(mesh.Tail(TriangleMesh::Previous(h))) - mesh.Position(vertex);
+      const double weight = a.squaredNorm() * b.squaredNorm();
+      sum += weight > 0.0 ? Vector3(a.cross(b) / weight) : Vector3::Zero();
+      areas += a.cross(b);
+    });
+  const Vector3 normal = sum.stableNormalized();
+  return normal.allFinite() ? normal : Vector3(areas.stableNormalized());
+}
+
 Points NormalsOfVertices(const TriangleMesh& mesh)
 {
   Points normals(mesh.NumberOfVertices(), 3);
   for (int vertex = 0; vertex < normals.rows(); ++vertex)
   {
-    Vector3 sum = Vector3::Zero(), areas = Vector3::Zero();
-    mesh.VisitFan(vertex,
-      [&](int h)
-      {
-        const Vector3 a = mesh.Position(mesh.Head(h)) - mesh.Position(vertex);
-        const Vector3 b = mesh.Position(mesh.Tail(TriangleMesh::Previous(h))) - mesh.Position(vertex);
-        const double weight = a.squaredNorm() * b.squaredNorm();
-        sum += weight > 0.0 ? Vector3(a.cross(b) / weight) : Vector3::Zero();
-        areas += a.cross(b);
-      });
-    const Vector3 normal = sum.stableNormalized();
-    normals.row(vertex) = (normal.allFinite() ? normal : areas.stableNormalized()).transpose();
+    normals.row(vertex) = NormalOfVertex(mesh, vertex).transpose();
   }
   return normals;
 }
 
+Vector3 WithoutNormalPart(const TriangleMesh& mesh, int vertex, const Vector3& vector)
+{
+  constexpr double SmallestTangentialPart = 1e-6;
+  const Vector3 normal = NormalOfVertex(mesh, vertex);
+  if (!vector.allFinite() || !(LeastCosine(mesh, vertex, normal) > SharpCosine))
+  {
+    return vector;
+  }
+  const Vector3 tangential = vector - vector.dot(normal) * normal;
+  return tangential.stableNorm() > SmallestTangentialPart * vector.stableNorm() ? tangential : Vector3(Vector3::Zero());
+}
+
 SplitVectors WithoutNormalParts(const TriangleMesh& mesh, const Points& vectors, const Points& atCorners)
 {
-  static const double SharpCosine = std::cos(Pi / 6.0);
   static const double FlatCosine = std::cos(Pi / 360.0); // half a degree
   const Points normals = NormalsOfVertices(mesh);
   SplitVectors split{ vectors, atCorners };

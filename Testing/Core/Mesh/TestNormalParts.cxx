@@ -1,4 +1,4 @@
-#include "Flows/NormalParts.h"
+#include "Mesh/NormalParts.h"
 
 #include "Support/MeshFactory.h"
 
