@@ -10,6 +10,8 @@
 #include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
 #include "Quads/SurfaceQuads.h"
+#include "Quads/SymmetricQuads.h"
+#include "Support/Errors.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -17,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -50,12 +53,32 @@ std::string SummaryOf(const dmg::QuadMesh& mesh)
     " irregular vertices, " + std::to_string(mesh.Report.InvertedQuads) + " inverted";
 }
 
+/// The plane of symmetry that was chosen; none: one is to be found.
+std::optional<dmg::MirrorPlane> PlaneOf(vtkFieldQuads& filter)
+{
+  if (filter.GetSymmetry() == vtkFieldQuads::Automatic)
+  {
+    return {};
+  }
+  const dmg::Vector3 normal(filter.GetSymmetryNormal());
+  if (!(normal.norm() > 0.0) || !std::isfinite(normal.norm()))
+  {
+    throw dmg::InvalidInput("Symmetry Normal has no direction; give it one");
+  }
+  return dmg::MirrorPlane{ dmg::Vector3(filter.GetSymmetryOrigin()), normal.normalized() };
+}
+
 /// Quads along the crosses of a surface; along its features, where it has none.
-dmg::QuadMesh MakeQuadsOf(const dmg::SurfaceView& view, const std::optional<dmg::Vector<dmg::Complex>>& crosses,
-  const dmg::QuadOptions& options, const dmg::ExecutionContext& context)
+dmg::QuadMesh MakeQuadsOf(vtkFieldQuads& filter, const dmg::SurfaceView& view,
+  const std::optional<dmg::Vector<dmg::Complex>>& crosses, const dmg::QuadOptions& options,
+  const dmg::ExecutionContext& context)
 {
   const dmg::ElementNames names = view.Relation().Names();
   const dmg::FramedMesh& surface = view.Surface().Geometry;
+  if (filter.GetSymmetry() != vtkFieldQuads::NoSymmetry)
+  {
+    return dmg::MakeSymmetricQuads(surface, crosses, PlaneOf(filter), options, context, names);
+  }
   return crosses ? dmg::MakeQuadsAcrossGaps(surface, *crosses, options, context, names)
                  : dmg::MakeQuadsAlongFeatures(surface, options, context, names);
 }
@@ -81,6 +104,7 @@ int vtkFieldQuads::RequestData(
       { "Edge Length", this->EdgeLength, 0, 1e40 },
       { "Number Of Directions", this->NumberOfDirections, 0, 8 },
       { "Feature Angle", this->FeatureAngle, 0, 180 },
+      { "Symmetry", this->Symmetry, NoSymmetry, Plane },
       { "Smoothing Steps", this->SmoothingSteps, 0, 1000 },
       { "Ball Radius", this->BallRadius, 0, 10 },
     });
@@ -95,7 +119,7 @@ int vtkFieldQuads::RequestData(
     const std::optional<dmg::Vector<dmg::Complex>> crosses =
       dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
-    const dmg::QuadMesh quads = MakeQuadsOf(view, crosses, options, dmg::PartOfContext(context, 0.1, 0.95));
+    const dmg::QuadMesh quads = MakeQuadsOf(*this, view, crosses, options, dmg::PartOfContext(context, 0.1, 0.95));
     dmg::MapToPolyData(quads, view, output(1));
     context.Checkpoint(0.97);
     if (!quads.Report.Error.empty())
@@ -127,6 +151,15 @@ void vtkFieldQuads::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlignBoundary: " << (this->AlignBoundary ? "On" : "Off") << "\n";
   os << indent << "AlignSharpEdges: " << (this->AlignSharpEdges ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Symmetry: "
+     << (this->Symmetry == Automatic  ? "Automatic"
+            : this->Symmetry == Plane ? "Plane"
+                                      : "NoSymmetry")
+     << "\n";
+  os << indent << "SymmetryOrigin: " << this->SymmetryOrigin[0] << " " << this->SymmetryOrigin[1] << " "
+     << this->SymmetryOrigin[2] << "\n";
+  os << indent << "SymmetryNormal: " << this->SymmetryNormal[0] << " " << this->SymmetryNormal[1] << " "
+     << this->SymmetryNormal[2] << "\n";
   os << indent << "SmoothingSteps: " << this->SmoothingSteps << "\n";
   os << indent << "BallRadius: " << this->BallRadius << "\n";
 }

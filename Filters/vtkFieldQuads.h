@@ -37,7 +37,7 @@
  * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and
  * RatioOfSizes the largest over the smallest length of edges, asked for and reached. An int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
  * of the map, InvertedQuads, EdgesAgainstField of the boundary that edges of quads follow though the field does not, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
- * components that no other quads fit.
+ * components that no other quads fit. Of symmetric quads, SymmetryPlane is a place of the plane and its unit normal, six numbers.
  *
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges
  * longer than those of quads are halved, as a map has no room to bend within large triangles.
@@ -113,6 +113,39 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
+  enum Symmetries
+  {
+    NoSymmetry = 0,
+    /**
+     * About the plane that fits best, where the surface is its own mirror image about it to a hundredth of the diagonal of its box.
+     */
+    Automatic = 1,
+    /**
+     * About the plane of SymmetryOrigin and SymmetryNormal, under the same condition.
+     */
+    Plane = 2,
+  };
+
+  ///@{
+  /**
+   * Whether the quads are their own mirror image, to rounding, with edges along the plane. The half that the normal of the plane points to is
+   * meshed, with the plane as an aligned boundary, and mirrored; all other boundary is aligned, too. Where the surface is not symmetric, a
+   * warning tells by how much, and the quads are not. The map, port 1, is that of the half. Default NoSymmetry.
+   */
+  vtkSetMacro(Symmetry, int);
+  vtkGetMacro(Symmetry, int);
+  ///@}
+
+  ///@{
+  /**
+   * A place in the plane of symmetry, and its normal of any length but zero. Default (0, 0, 0) and (1, 0, 0).
+   */
+  vtkSetVector3Macro(SymmetryOrigin, double);
+  vtkGetVector3Macro(SymmetryOrigin, double);
+  vtkSetVector3Macro(SymmetryNormal, double);
+  vtkGetVector3Macro(SymmetryNormal, double);
+  ///@}
+
   ///@{
   /**
    * Steps in which vertices are smoothed along the surface. 0 leaves them where the map has integers. Default 6, range 0 to 1000.
@@ -150,6 +183,9 @@ private:
   bool AlignBoundary = true;
   bool AlignSharpEdges = true;
   double FeatureAngle = 30.0;
+  int Symmetry = NoSymmetry;
+  double SymmetryOrigin[3] = { 0.0, 0.0, 0.0 };
+  double SymmetryNormal[3] = { 1.0, 0.0, 0.0 };
   int SmoothingSteps = 6;
   double BallRadius = 0.5;
   std::string Summary;

@@ -42,7 +42,7 @@
  * | SteeringFlow                                          | cells, points  | 3          | what the boundary alone decides (SetSteeringFlow) |
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
- * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide; NaN where the data do not determine them, as in straits one cell wide, with a warning |
+ * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive, seen from PositiveSide; NaN in straits one cell wide |
  * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential, seen from PositiveSide; none of a 1-form |
  *
  * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are
@@ -80,8 +80,7 @@
  *
  * Two solves for each flow; one more, once, for each island, and for each open part and loop around handles and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
- * times pass through. Where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the
- * surface.
+ * times pass through. Where no flow is chosen, the first output is the input, beside the error.
  *
  * @sa vtkHarmonicFieldSolver
  */

@@ -62,12 +62,15 @@ def unpack(folder):
 
 
 def pieces_flags():
-    """What the rooms of Pieces need beside this machine's own headers, or None."""
+    """What the rooms of Pieces need beside this machine's own headers; None where these do not fit each other, or are not there."""
     petsc = pathlib.Path("/usr/lib/petscdir/petsc-complex/include")
     mpi = shutil.which("mpicc") and subprocess.run(["mpicc", "--showme:compile"], capture_output=True, text=True)
     if not petsc.exists() or not mpi or mpi.returncode:
         return None
-    return [*mpi.stdout.split(), "-isystem", str(petsc), "-DOMPI_SKIP_MPICXX", "-DMPICH_SKIP_MPICXX"]
+    flags = [*mpi.stdout.split(), "-isystem", str(petsc), "-DOMPI_SKIP_MPICXX", "-DMPICH_SKIP_MPICXX"]
+    read = subprocess.run(["g++", "-fsyntax-only", "-x", "c++", *flags, "-"], input="#include <petscsys.h>", text=True,
+                          capture_output=True)
+    return None if read.returncode else flags  # PETSc was built for another MPI, as while Debian testing changes it
 
 
 def main():

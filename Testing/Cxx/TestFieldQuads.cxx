@@ -14,11 +14,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -226,6 +228,49 @@ TEST(FieldQuads, HaveBallAtEachIrregularVertex)
   auto* const balls = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(2));
   EXPECT_GT(balls->GetNumberOfCells(), 0);
   EXPECT_EQ(balls->GetNumberOfCells() % irregular, 0);
+}
+
+TEST(FieldQuads, AreSymmetricAboutAPlane)
+{
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(PolyDataOf(IrregularSphere(3, 5)));
+  filter->SetNumberOfQuads(300);
+  filter->SetSymmetry(vtkFieldQuads::Plane);
+  filter->SetSymmetryOrigin(0.1, 0.2, 0.0);
+  filter->SetSymmetryNormal(0.0, 0.0, 2.0);
+  filter->Update();
+  vtkPolyData* const output = filter->GetOutput();
+  const std::vector<double> plane = Values(output->GetFieldData(), "SymmetryPlane");
+  EXPECT_EQ(plane, (std::vector<double>{ 0.1, 0.2, 0.0, 0.0, 0.0, 1.0 }));
+  std::multiset<std::array<double, 3>> places, images;
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    const double* const x = output->GetPoint(point);
+    places.insert({ x[0], x[1], x[2] });
+    images.insert({ x[0], x[1], -x[2] });
+  }
+  EXPECT_GT(output->GetNumberOfCells(), 200);
+  EXPECT_EQ(places, images);
+}
+
+TEST(FieldQuads, TellHowFarASurfaceIsFromSymmetric)
+{
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(PolyDataOf(IrregularSphere(3, 5)));
+  filter->SetNumberOfQuads(300);
+  filter->SetSymmetry(vtkFieldQuads::Plane);
+  filter->SetSymmetryOrigin(0.5, 0.0, 0.0);
+  const Messages messages(filter);
+  filter->Update();
+  ASSERT_EQ(messages.GetWarnings().size(), 1U); // 1 of the diagonal of 2 sqrt 3
+  EXPECT_NE(messages.GetWarnings()[0].find("quads are not symmetric, as the surface is off its mirror image by 2"),
+    std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("SymmetryPlane"), nullptr);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 200);
+  filter->SetSymmetryNormal(0.0, 0.0, 0.0);
+  filter->Update();
+  EXPECT_NE(messages.Error().find("Symmetry Normal has no direction"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(FieldQuads, TakeSizesFromArray)

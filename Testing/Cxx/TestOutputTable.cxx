@@ -379,6 +379,7 @@ void RunOthers()
   RunFilter(vtkNew<vtkPrincipalDirections>(), PolyDataOf(withTurnedFace));
   vtkNew<vtkFieldQuads> quads;
   quads->SetNumberOfQuads(300);
+  quads->SetSymmetry(vtkFieldQuads::Automatic);
   RunFilter(quads, sphere);
   for (const int kind : { Solver::PowerField, Solver::PointPowerField })
   {

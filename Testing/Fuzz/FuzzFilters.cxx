@@ -573,6 +573,7 @@ void RunOtherData(Choices choose, vtkPolyData* surface, const std::filesystem::p
   vtkNew<vtkPrincipalDirections> principal;
   vtkNew<vtkFieldQuads> quads;
   quads->SetNumberOfQuads(1 + choose.Below(100));
+  quads->SetSymmetry(choose.Below(3));
   for (int step = 1 + choose.Below(2); step > 0; --step) // the second time, much is kept
   {
     const vtkSmartPointer<vtkDataObject> data = choose.OneIn(2) ? VolumeOf(choose) : BlocksOf(choose, surface);

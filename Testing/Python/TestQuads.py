@@ -49,6 +49,17 @@ def euler(mesh):
 
 
 class Quads(unittest.TestCase):
+    def test_a_symmetric_surface_has_symmetric_quads(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            result = quads(sphere(), 300, Symmetry="Automatic")
+        plane = vtk_to_numpy(result.GetFieldData().GetArray("SymmetryPlane")).ravel()
+        places = vtk_to_numpy(result.GetPoints().GetData()).astype(float)
+        images = places - 2 * np.outer((places - plane[:3]) @ plane[3:], plane[3:])
+        for image in images:
+            self.assertLess(np.linalg.norm(places - image, axis=1).min(), 1e-6)
+        self.assertEqual(euler(result), 2)
+
     def test_a_square_becomes_a_grid(self):
         surface = plane()
         result = quads(surface, 400)

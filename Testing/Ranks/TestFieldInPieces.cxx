@@ -51,6 +51,61 @@ vtkSmartPointer<vtkDataSet> WholeOf(Solver* solver)
   return vtkDataSet::SafeDownCast(solver->GetOutputDataObject(0));
 }
 
+/// The triangles of a surface with directions at points, which each triangle has for itself in a soup.
+vtkSmartPointer<vtkPolyData> WithWind(vtkPolyData* surface, bool isSoup)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkDoubleArray> wind;
+  wind->SetName("Wind");
+  wind->SetNumberOfComponents(3);
+  const auto add = [&](vtkIdType point)
+  {
+    Place place;
+    surface->GetPoint(point, place.data());
+    const double turn = std::sin(3.0 * place[2]);
+    wind->InsertNextTuple3(-place[1], place[0] + turn, turn * place[0]);
+    return points->InsertNextPoint(place.data());
+  };
+  for (vtkIdType point = 0; !isSoup && point < surface->GetNumberOfPoints(); ++point)
+  {
+    add(point);
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    triangles->InsertNextCell(3);
+    for (const vtkIdType point : *corners)
+    {
+      triangles->InsertCellPoint(isSoup ? add(point) : point);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  result->GetPointData()->AddArray(wind);
+  return result;
+}
+
+/// Whether the field of pieces is that of the sphere, with constraints at points.
+void ExpectFieldOfWind(vtkPolyData* own)
+{
+  const auto solver = NewSolver(own);
+  const auto whole = NewSolver(WithWind(Sphere(Subdivisions), false));
+  for (Solver* const each : { solver.Get(), whole.Get() })
+  {
+    each->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
+    each->SetSmoothingLength(0.3);
+    each->UnitLengthOff();
+  }
+  UpdateOwnPiece(solver);
+  EXPECT_EQ(Gathered(OutputOf(solver)), "");
+  EXPECT_EQ(OutputOf(solver)->GetNumberOfPoints(), own->GetNumberOfPoints());
+  EXPECT_LT(LargestDifference(OutputOf(solver), WholeOf(whole)), 1e-6);
+}
+
 }
 
 TEST(FieldInPieces, IsThatOfTheWhole)
@@ -229,55 +284,18 @@ TEST(FieldInPieces, FollowsFeaturesAndSmoothsDataAsTheWholeDoes)
 
 TEST(FieldInPieces, PointsThatAreThereManyTimesWeighOnce)
 {
-  const auto withWind = [](vtkPolyData* surface, bool isSoup)
+  ExpectFieldOfWind(WithWind(OwnBand(), true));
+}
+
+// Triangles are dealt in turn, so that those of a rank make several fans around a point.
+TEST(FieldInPieces, PointsWithSeveralFansOnARankWeighOnce)
+{
+  for (const bool isSoup : { false, true })
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkDoubleArray> wind;
-    wind->SetName("Wind");
-    wind->SetNumberOfComponents(3);
-    const auto add = [&](vtkIdType point)
-    {
-      Place place;
-      surface->GetPoint(point, place.data());
-      const double turn = std::sin(3.0 * place[2]);
-      wind->InsertNextTuple3(-place[1], place[0] + turn, turn * place[0]);
-      return points->InsertNextPoint(place.data());
-    };
-    for (vtkIdType point = 0; !isSoup && point < surface->GetNumberOfPoints(); ++point)
-    {
-      add(point);
-    }
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-    {
-      surface->GetCellPoints(cell, corners);
-      triangles->InsertNextCell(3);
-      for (const vtkIdType point : *corners)
-      {
-        triangles->InsertCellPoint(isSoup ? add(point) : point);
-      }
-    }
-    auto result = vtkSmartPointer<vtkPolyData>::New();
-    result->SetPoints(points);
-    result->SetPolys(triangles);
-    result->GetPointData()->AddArray(wind);
-    return result;
-  };
-  const auto own = withWind(OwnBand(), true);
-  const auto solver = NewSolver(own);
-  const auto whole = NewSolver(withWind(Sphere(Subdivisions), false));
-  for (Solver* const each : { solver.Get(), whole.Get() })
-  {
-    each->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
-    each->SetSmoothingLength(0.3);
-    each->UnitLengthOff();
+    SCOPED_TRACE(isSoup);
+    const auto own = PieceOfSphere(Subdivisions, [](const Surface&, int f) { return f % Ranks() == Rank(); });
+    ExpectFieldOfWind(WithWind(own, isSoup));
   }
-  UpdateOwnPiece(solver);
-  EXPECT_EQ(Gathered(OutputOf(solver)), "");
-  EXPECT_EQ(OutputOf(solver)->GetNumberOfPoints(), own->GetNumberOfPoints());
-  EXPECT_LT(LargestDifference(OutputOf(solver), WholeOf(whole)), 1e-6);
 }
 
 TEST(FieldInPieces, FunctionsHaveTheValuesOfTheWhole)

@@ -64,6 +64,11 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   addNumbers("DistanceFromSurface", { distances.LargestFromSurface, distances.MeanFromSurface });
   const Vector3& place = distances.FarthestPlace;
   addNumbers("FarthestPlace", { place[0], place[1], place[2] });
+  if (report.IsSymmetric)
+  {
+    const Vector3 &origin = report.Mirror.Origin, &normal = report.Mirror.Normal;
+    addNumbers("SymmetryPlane", { origin[0], origin[1], origin[2], normal[0], normal[1], normal[2] });
+  }
   addNumbers("AreaShares", report.AreaShares);
   addNumbers("RatioOfSizes", { report.AskedRatio, report.ReachedRatio });
 }

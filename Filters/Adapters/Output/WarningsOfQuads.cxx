@@ -104,6 +104,19 @@ std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
       " degrees; to keep the field, switch Align Boundary off";
 }
 
+std::string OfSymmetry(const QuadReport& report)
+{
+  if (report.IsSymmetric || report.Asymmetry == 0.0)
+  {
+    return {};
+  }
+  return report.Asymmetry > LargestAsymmetry
+    ? "quads are not symmetric, as the surface is off its mirror image by " + ShortText(100.0 * report.Asymmetry) +
+      " % of the diagonal of its box, more than " + ShortText(100.0 * LargestAsymmetry) + " %"
+    : "quads are not symmetric, as cells lie in the plane of symmetry, or the cut "
+      "there touches itself; choose another plane, or none";
+}
+
 std::string OfInversion(const QuadReport& report)
 {
   return report.InvertedQuads > 0 ? std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian"
@@ -117,7 +130,7 @@ std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& opt
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
     OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfDeviation(mesh.Report, options),
-    OfInversion(mesh.Report) };
+    OfInversion(mesh.Report), OfSymmetry(mesh.Report) };
 }
 
 }

@@ -207,6 +207,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkFieldQuads", 0, "DistanceFromQuads", Field, 1 },
     { "vtkFieldQuads", 0, "DistanceFromSurface", Field, 1 },
     { "vtkFieldQuads", 0, "FarthestPlace", Field, 1 },
+    { "vtkFieldQuads", 0, "SymmetryPlane", Field, 1 },
     { "vtkFieldQuads", 0, "AreaShares", Field, 1 },
     { "vtkFieldQuads", 0, "RatioOfSizes", Field, 1 },
     { "vtkFieldQuads", 1, TextureCoordinates, Points, 2 },

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace dmg
@@ -78,6 +79,18 @@ void AgreeOnSeams(const RanksOfPipeline& ranks, const TriangleMesh* mesh, double
     });
 }
 
+/// For each number of a list, the index of the first one that is equal.
+std::vector<int> FirstsOf(const std::vector<int>& numbers)
+{
+  std::unordered_map<int, int> firsts;
+  std::vector<int> indices;
+  for (const int number : numbers)
+  {
+    indices.push_back(firsts.emplace(number, static_cast<int>(indices.size())).first->second);
+  }
+  return indices;
+}
+
 }
 
 std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet* input,
@@ -129,6 +142,7 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
   }
   if (this->SolverOfMeshes)
   {
+    this->OwnRelation.SetPlaces(FirstsOf(this->SolverOfMeshes->Piece().VerticesOfPoints()));
     ranks.Together(
       [&]
       {

@@ -1,6 +1,7 @@
 #include "Constraints/WeightsOfPoints.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace dmg
 {
@@ -17,19 +18,43 @@ int VertexOf(const ValueConstraint& constraint)
   return constraint.Vertex;
 }
 
+/// The vertices of a point.
+struct FansOfPoint
+{
+  int AtPlace = 1; ///< vertices at one place
+  int Places = 1;  ///< of all
+
+  FansOfPoint(int vertex, const SurfaceRelation& relation)
+  {
+    std::vector<int> places;
+    for (const int each : relation.VerticesOf(relation.PointOf(vertex)))
+    {
+      places.push_back(relation.PlaceOf(each));
+    }
+    if (places.size() > 1)
+    {
+      this->AtPlace = static_cast<int>(std::count(places.begin(), places.end(), relation.PlaceOf(vertex)));
+      std::sort(places.begin(), places.end());
+      this->Places = static_cast<int>(std::unique(places.begin(), places.end()) - places.begin());
+    }
+  }
+};
+
 template <class AnyConstraint>
 void ShareWeights(std::vector<AnyConstraint>& constraints, const TriangleMesh& mesh, const SurfaceRelation& relation)
 {
-  std::vector<int> numbers(mesh.NumberOfVertices(), 0);
+  std::vector<FansOfPoint> fans;
+  std::vector<double> points(mesh.NumberOfVertices(), 0.0); // of each place, with a constraint
   for (const AnyConstraint& constraint : constraints)
   {
-    ++numbers[VertexOf(constraint)];
-  }
-  for (AnyConstraint& constraint : constraints)
-  {
     const int vertex = VertexOf(constraint);
-    const int fans = std::max(relation.VerticesOf(relation.PointOf(vertex)).size(), 1);
-    constraint.Weight /= static_cast<double>(numbers[vertex]) * fans;
+    fans.emplace_back(vertex, relation);
+    points[relation.PlaceOf(vertex)] += 1.0 / fans.back().AtPlace;
+  }
+  for (std::size_t k = 0; k < constraints.size(); ++k)
+  {
+    const double number = points[relation.PlaceOf(VertexOf(constraints[k]))];
+    constraints[k].Weight /= number * fans[k].AtPlace * fans[k].Places;
   }
 }
 

@@ -73,8 +73,7 @@ private:
 
 std::vector<int> BoundaryPart::OwnVertices() const
 {
-  return this->IsLoop || !this->IsOpen ? this->Vertices
-                                       : std::vector<int>(this->Vertices.begin() + 1, this->Vertices.end() - 1);
+  return this->IsLoop ? this->Vertices : std::vector<int>(this->Vertices.begin() + 1, this->Vertices.end() - 1);
 }
 
 std::vector<char> OpenEdges(const TriangleMesh& mesh, FlowBoundary boundary)

@@ -26,7 +26,7 @@ struct BoundaryPart : BoundaryLoop
   bool IsOpen = false;
   bool IsLoop = true;
 
-  /// The vertices, without those that a coast has, too. Each vertex of the boundary stands in one part.
+  /// The vertices without those that another part has, too: the ends of arcs.
   std::vector<int> OwnVertices() const;
 };
 

@@ -78,6 +78,28 @@ FlowDerivatives IntegratedDerivatives(
   return derivatives;
 }
 
+SharesOfEdges BoundaryFlowAt(int vertex, const FramedMesh& surface, const Vector<Complex>& X)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  Complex sum = 0.0;
+  int before = -1;
+  mesh.VisitFan(vertex,
+    [&](int h)
+    {
+      sum += std::conj(X[TriangleMesh::FaceOf(h)]) * TurnedOppositeSide(surface, h);
+      before = TriangleMesh::Previous(h); // at last that without a twin
+    });
+  const auto acrossSide = [&](int h)
+  {
+    const int face = TriangleMesh::FaceOf(h);
+    const Vector3 side = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
+    return std::conj(X[face]) * Complex(0.0, -1.0) * surface.Faces.ToComplex(face, side);
+  };
+  const Complex first = acrossSide(before), second = acrossSide(mesh.OutgoingHalfedge(vertex));
+  const Complex rest = sum - first - second;
+  return { std::conj(0.5 * first + 0.25 * rest), std::conj(0.5 * second + 0.25 * rest) };
+}
+
 double FlowProduct(const Vector<double>& areas, const Vector<Complex>& X, const Vector<Complex>& Y)
 {
   double sum = 0.0;

@@ -32,6 +32,16 @@ struct FlowDerivatives
 FlowDerivatives IntegratedDerivatives(
   const FramedMesh& surface, const Vector<Complex>& X, const ExecutionContext& context = SerialContext());
 
+/// Shares of the flow out of the surface (real part) and along the boundary with the surface to the left (imaginary part) around a boundary vertex:
+/// those of the boundary edges before and after it. Both sum to -(D X)_v and -(D (-i X))_v. Each edge has the half that is
+/// nearer to the vertex, and half of the rest, which is the divergence between the faces around: so a constant flow is exact in a plane.
+struct SharesOfEdges
+{
+  Complex Before;
+  Complex After;
+};
+SharesOfEdges BoundaryFlowAt(int vertex, const FramedMesh& surface, const Vector<Complex>& X);
+
 /// The integral of <X, Y> over the surface.
 double FlowProduct(const Vector<double>& areas, const Vector<Complex>& X, const Vector<Complex>& Y);
 

@@ -76,7 +76,7 @@ public:
   void AddHarmonic(const Vector<Complex>& flow, DecomposedFlow& parts, const ExecutionContext& context);
   void AddSteering(
     const Vector<Complex>& flow, const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
-  void AddBoundaries(DecomposedFlow& parts) const;
+  void AddBoundaries(const Vector<Complex>& flow, DecomposedFlow& parts) const;
   void SeeFromPositiveSide(DecomposedFlow& parts) const;
   void WarnOfCaps(DecomposedFlow& parts, const ExecutionContext& context);
   void MakeBasis(const ExecutionContext& context);
@@ -157,7 +157,7 @@ void HodgeDecomposition::Internals::AddSteering(
     QuarterTurn * GradientOnFaces(this->Geometry, inside.StreamFunction, context);
 }
 
-void HodgeDecomposition::Internals::AddBoundaries(DecomposedFlow& parts) const
+void HodgeDecomposition::Internals::AddBoundaries(const Vector<Complex>& flow, DecomposedFlow& parts) const
 {
   const std::vector<BoundaryPart>& all = this->Potentials.Parts();
   const auto number = static_cast<Eigen::Index>(all.size());
@@ -169,6 +169,13 @@ void HodgeDecomposition::Internals::AddBoundaries(DecomposedFlow& parts) const
     const std::vector<int> vertices = all[k].OwnVertices();
     parts.Flux[k] = -parts.Derivatives.Divergence(vertices).sum();
     parts.Circulation[k] = -parts.Derivatives.Vorticity(vertices).sum();
+    if (!all[k].IsLoop)
+    {
+      const Complex ofEnds = BoundaryFlowAt(all[k].Vertices.front(), this->Geometry, flow).After +
+        BoundaryFlowAt(all[k].Vertices.back(), this->Geometry, flow).Before;
+      parts.Flux[k] += ofEnds.real();
+      parts.Circulation[k] += ofEnds.imag();
+    }
     if (parts.StreamFunction.size() > 0)
     {
       parts.StreamValues[k] = parts.StreamFunction(all[k].Vertices).mean();
@@ -259,7 +266,7 @@ DecomposedFlow HodgeDecomposition::Decompose(
     of.AddSteering(flow, stop, parts, PartOfContext(context, 0.9, 0.95));
   }
   parts.ResidualEnergy = of.Norm(parts.Residual);
-  of.AddBoundaries(parts);
+  of.AddBoundaries(flow, parts);
   of.SeeFromPositiveSide(parts);
   const double overlap = std::abs(
     parts.Energy - parts.GradientEnergy - parts.RotationalEnergy - parts.HarmonicEnergy - parts.ResidualEnergy);

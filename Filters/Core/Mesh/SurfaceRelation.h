@@ -102,6 +102,11 @@ public:
   /// \param centres (cell, place), in ascending order of the cells.
   void SetCentres(std::vector<std::pair<long long, Vector3>>&& centres) { this->Centres = std::move(centres); }
 
+  /// The first vertex at the place of a vertex. Where other ranks have triangles between them, several vertices of this surface are the
+  /// same vertex of the whole one, and have one place; else each vertex is a place of its own.
+  int PlaceOf(int vertex) const { return this->Places.empty() ? vertex : this->Places[vertex]; }
+  void SetPlaces(std::vector<int>&& places) { this->Places = std::move(places); }
+
   /// Whether a face was turned to be seen from the positive side: its corners are the second, the first and the third one of the triangle before.
   /// The frame of such a face (FaceFrames) has the first axis reversed, and the second one as it was.
   bool IsTurned(int face) const { return !this->TurnedFaces.empty() && this->TurnedFaces[face] != 0; }
@@ -130,6 +135,7 @@ private:
   ElementRows FacesOfCells;
   std::vector<int> PointsOfVertices;
   ElementRows VerticesOfPoints;
+  std::vector<int> Places;
   std::vector<char> TurnedFaces;
   std::vector<std::pair<long long, Vector3>> Centres;
   std::vector<int> EdgesOfCells;

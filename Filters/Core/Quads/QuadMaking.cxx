@@ -241,7 +241,9 @@ private:
       std::transform(quad.begin(), quad.end(), quad.begin(), [&numbers](int cell) { return numbers[cell]; });
     }
     mesh.Report = this->Report;
-    MeasureQuads(this->Rounds, topology, mesh, PartOfContext(context, 0.6, 1.0));
+    MeasureQuads({ this->Rounds.Surface, this->Rounds.Places, this->Rounds.Components, this->Rounds.Lengths.OnFaces,
+                   this->Options.Sizes },
+      topology, mesh, PartOfContext(context, 0.6, 1.0));
   }
 
   const TriangleMesh& Mesh;

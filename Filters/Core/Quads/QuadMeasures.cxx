@@ -13,12 +13,12 @@ namespace dmg
 namespace
 {
 
-void MeasureShapes(const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh)
+void MeasureShapes(const MeasuredSurface& on, const QuadTopology& topology, QuadMesh& mesh)
 {
   constexpr double Rounding = 1e-6; // straight corners on the boundary are not inverted
   QuadReport& report = mesh.Report;
   mesh.ScaledJacobians =
-    ScaledJacobians(mesh.Quads, mesh.Positions, OutsidesOf(rounds.Surface, mesh.Quads, mesh.Faces, mesh.Places));
+    ScaledJacobians(mesh.Quads, mesh.Positions, OutsidesOf(on.Surface, mesh.Quads, mesh.Faces, mesh.Places));
   report.InvertedQuads = static_cast<int>((mesh.ScaledJacobians.array() < -Rounding).count());
   report.MeanScaledJacobian = mesh.ScaledJacobians.size() > 0 ? mesh.ScaledJacobians.mean() : 0.0;
   report.EulerOfMesh =
@@ -34,9 +34,9 @@ void MeasureShapes(const QuadRounds& rounds, const QuadTopology& topology, QuadM
 }
 
 void MeasureDistances(
-  const QuadRounds& rounds, const Vector<double>& areasOfQuads, QuadMesh& mesh, const ExecutionContext& context)
+  const MeasuredSurface& on, const Vector<double>& areasOfQuads, QuadMesh& mesh, const ExecutionContext& context)
 {
-  const TriangleMesh& surface = rounds.Surface.Mesh;
+  const TriangleMesh& surface = on.Surface.Mesh;
   QuadDistances& found = mesh.Report.Distances;
   const Vector<double> fromQuads =
     DistancesFromQuads(surface, mesh.Quads, mesh.Positions, PartOfContext(context, 0.0, 0.7));
@@ -45,7 +45,7 @@ void MeasureDistances(
     found.LargestFromQuads = fromQuads.maxCoeff(&found.FarthestVertex);
     found.FarthestPlace = surface.Position(found.FarthestVertex);
     const int face = TriangleMesh::FaceOf(surface.OutgoingHalfedge(found.FarthestVertex));
-    found.InEdges = found.LargestFromQuads / (mesh.Report.LengthScale * rounds.Lengths.OnFaces[face]);
+    found.InEdges = found.LargestFromQuads / (mesh.Report.LengthScale * on.Lengths[face]);
     const Vector<double> areas = surface.FaceAreas();
     double sum = 0.0;
     for (int h = 0; h < 3 * surface.NumberOfFaces(); ++h)
@@ -55,7 +55,7 @@ void MeasureDistances(
     found.MeanFromQuads = sum / areas.sum();
   }
   const Vector<double> fromSurface =
-    DistancesFromSurface(rounds.Places, mesh.Quads, mesh.Faces, mesh.Positions, PartOfContext(context, 0.7, 1.0));
+    DistancesFromSurface(on.Places, mesh.Quads, mesh.Faces, mesh.Positions, PartOfContext(context, 0.7, 1.0));
   if (fromSurface.size() > 0)
   {
     found.LargestFromSurface = fromSurface.maxCoeff(&found.FarthestQuad);
@@ -63,10 +63,10 @@ void MeasureDistances(
   }
 }
 
-void MeasureAreas(const QuadRounds& rounds, const Vector<double>& areasOfQuads, QuadMesh& mesh)
+void MeasureAreas(const MeasuredSurface& on, const Vector<double>& areasOfQuads, QuadMesh& mesh)
 {
-  const std::vector<int>& components = rounds.Components;
-  const Vector<double> areas = rounds.Surface.Mesh.FaceAreas();
+  const std::vector<int>& components = on.Components;
+  const Vector<double> areas = on.Surface.Mesh.FaceAreas();
   const int count = 1 + *std::max_element(components.begin(), components.end());
   std::vector<double> ofSurface(count, 0.0), ofQuads(count, 0.0);
   for (int face = 0; face < areas.size(); ++face)
@@ -87,9 +87,9 @@ void MeasureAreas(const QuadRounds& rounds, const Vector<double>& areasOfQuads, 
 }
 
 /// Fits a power to the lengths of edges against those that were asked for, where no other reason makes them shorter.
-void MeasureSizes(const QuadRounds& rounds, const Vector<double>& areasOfQuads, QuadMesh& mesh)
+void MeasureSizes(const MeasuredSurface& on, const Vector<double>& areasOfQuads, QuadMesh& mesh)
 {
-  const Vector<double>& sizes = rounds.Options.Sizes;
+  const Vector<double>& sizes = on.Sizes;
   if (sizes.size() == 0)
   {
     return;
@@ -128,14 +128,18 @@ void MeasureSizes(const QuadRounds& rounds, const Vector<double>& areasOfQuads, 
 }
 
 void MeasureQuads(
-  const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context)
+  const MeasuredSurface& on, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context)
 {
   const Vector<double> areas = AreasOfQuads(mesh.Quads, mesh.Positions);
+  mesh.Report.IrregularVertices = 0;
+  mesh.Report.IrregularWithoutSingularity = 0;
+  mesh.Report.AreaShares.clear();
+  mesh.Report.Distances = {};
   mesh.Report.MeanLength = areas.size() > 0 ? std::sqrt(areas.mean()) : 0.0;
-  MeasureShapes(rounds, topology, mesh);
-  MeasureAreas(rounds, areas, mesh);
-  MeasureSizes(rounds, areas, mesh);
-  MeasureDistances(rounds, areas, mesh, context);
+  MeasureShapes(on, topology, mesh);
+  MeasureAreas(on, areas, mesh);
+  MeasureSizes(on, areas, mesh);
+  MeasureDistances(on, areas, mesh, context);
 }
 
 }

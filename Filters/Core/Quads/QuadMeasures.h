@@ -1,17 +1,28 @@
 #ifndef dmgQuadMeasures_h
 #define dmgQuadMeasures_h
 
+#include "Constraints/NearestPlaces.h"
+#include "Quads/Isolines/IndexedQuads.h"
 #include "Quads/QuadMesh.h"
-#include "Quads/QuadRounds.h"
 #include "Support/ExecutionContext.h"
 
 namespace dmg
 {
 
-/// Fills in the part of the report of a quad mesh that its quads tell.
-/// \param rounds that it is of. \param topology of the quads.
+/// The surface that quads are measured on. All is borrowed.
+struct MeasuredSurface
+{
+  const FramedMesh& Surface;
+  const NearestPlaces& Places;
+  const std::vector<int>& Components; ///< FaceComponents
+  const Vector<double>& Lengths;      ///< by face, of edges that are aimed at
+  const Vector<double>& Sizes;        ///< as QuadOptions::Sizes
+};
+
+/// Fills in the part of the report of a quad mesh that its quads tell, and scaled Jacobians.
+/// \param topology of the quads.
 void MeasureQuads(
-  const QuadRounds& rounds, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context);
+  const MeasuredSurface& on, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context);
 
 }
 

@@ -5,6 +5,7 @@
 #include "Quads/Crosses/FinerSurface.h"
 #include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
+#include "Quads/MirrorPlane.h"
 #include "Quads/QuadOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -60,6 +61,10 @@ struct QuadReport
   int LeastCovered = -1;     ///< a face of the component of the smallest share
   double AskedRatio = 1.0;   ///< of the largest to the smallest of the lengths of edges that QuadOptions::Sizes give
   double ReachedRatio = 1.0; ///< AskedRatio to the power by which the lengths of edges follow those on the mean
+  /// Where symmetry was asked for, the largest distance of the surface from its mirror image, relative to its diagonal; else 0.
+  double Asymmetry = 0.0;
+  bool IsSymmetric = false; ///< whether the mesh is its own mirror image about Mirror
+  MirrorPlane Mirror = {};
   /// Empty, or why there are no quads: what of the surface they would lose, and a remedy.
   std::string Error = {};
 };

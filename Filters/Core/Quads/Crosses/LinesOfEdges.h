@@ -19,6 +19,7 @@ public:
   LinesOfEdges(const TriangleMesh& mesh, std::vector<char> isOnLine);
 
   bool Has(int edge) const { return this->IsOnLine[edge]; }
+  bool Has(const SurfacePlace& place) const { return this->EdgeOf(place) >= 0; }
   /// Whether lines end, branch or bend at a vertex.
   bool IsCorner(int vertex) const;
   /// The place where walking along a line, from one of its places, comes no nearer to a position. A place stays if it is on no line, or if

@@ -22,11 +22,12 @@ public:
     this->Result.Singularities.assign(cells.Size(), 0);
   }
 
-  /// The mean of the nodes around each cell; of those on the boundary, where there are some.
-  void PlaceAtMeans()
+  /// The mean of the nodes around each cell; of those on the boundary, where there are some, and on its line.
+  void PlaceAtMeans(const LinesOfEdges& lines)
   {
     Points sums = Points::Zero(this->Cells.Size(), 3);
-    std::vector<int> counts(this->Cells.Size(), 0), faces(this->Cells.Size(), -1);
+    std::vector<int> counts(this->Cells.Size(), 0);
+    std::vector<SurfacePlace> nodes(this->Cells.Size());
     for (int node = 0; node < static_cast<int>(this->Isolines.Nodes.size()); ++node)
     {
       const SurfacePlace& place = this->Isolines.Nodes[node];
@@ -37,7 +38,7 @@ public:
         {
           sums.row(cell) += PositionOf(this->Mesh, place).transpose();
           ++counts[cell];
-          faces[cell] = place.Face;
+          nodes[cell] = place;
         }
       }
     }
@@ -45,8 +46,11 @@ public:
     {
       if (counts[cell] > 0)
       {
-        const NearestPlace nearest = this->Surface.From(faces[cell], sums.row(cell).transpose() / counts[cell]);
-        this->Result.Places[cell] = PlaceInFace(this->Mesh, nearest.Face, nearest.Position);
+        const Vector3 mean = sums.row(cell).transpose() / counts[cell];
+        const NearestPlace nearest = this->Surface.From(nodes[cell].Face, mean);
+        this->Result.Places[cell] = this->Cells.IsOnBoundary[cell] && lines.Has(nodes[cell])
+          ? lines.From(nodes[cell], mean)
+          : PlaceInFace(this->Mesh, nearest.Face, nearest.Position);
         this->Result.Holds[cell] = this->Cells.IsOnBoundary[cell] ? Hold::OnLine : Hold::Free;
       }
     }
@@ -100,7 +104,7 @@ public:
     for (int vertex = 0; vertex < this->Mesh.NumberOfVertices(); ++vertex)
     {
       const int cell = this->Cells.OfVertices[vertex];
-      if (cell >= 0 && lines.IsCorner(vertex))
+      if (cell >= 0 && lines.IsCorner(vertex) && this->MayTake(cell, this->Mesh.IsBoundaryVertex(vertex)))
       {
         this->Result.Places[cell] = AtTail(this->Mesh.OutgoingHalfedge(vertex));
         this->Result.Holds[cell] = Hold::AtPoint;
@@ -111,6 +115,9 @@ public:
   CellPlaces Result;
 
 private:
+  /// Whether a cell may stand at a place of a line: one on the boundary stays there, where a line within the surface comes near.
+  bool MayTake(int cell, bool isPlaceOnBoundary) const { return isPlaceOnBoundary || !this->Cells.IsOnBoundary[cell]; }
+
   static bool IsInFace(const MapOfCorners& map, int face, const std::array<FixedPoint, 2>& point)
   {
     if (OrientationInMap(map, face) <= 0)
@@ -141,7 +148,7 @@ private:
     {
       const double t = static_cast<double>(level - a) / static_cast<double>(b - a);
       const int cell = this->Cells.OnEdge(this->Mesh, this->Isolines, this->Mesh.EdgeOf(h), t);
-      if (cell >= 0)
+      if (cell >= 0 && this->MayTake(cell, this->Mesh.Twin(h) < 0))
       {
         this->Result.Places[cell] = OnHalfedge(h, t);
         this->Result.Holds[cell] = Hold::OnLine;
@@ -161,7 +168,7 @@ CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles,
   const LinesOfEdges& lines, const MapOfCorners& map, const IsolineArrangement& isolines, const IsolineCells& cells)
 {
   CellPlacement placement(surface, isolines, cells);
-  placement.PlaceAtMeans();
+  placement.PlaceAtMeans(lines);
   placement.PlaceAtGridPoints(map);
   placement.PlaceAtSingularities(field.Indices);
   placement.PlaceOnLines(angles, field, lines, map);
