@@ -119,8 +119,9 @@ int vtkFieldQuads::RequestData(
     const std::optional<dmg::Vector<dmg::Complex>> crosses =
       dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
-    const dmg::QuadMesh quads = MakeQuadsOf(*this, view, crosses, options, dmg::PartOfContext(context, 0.1, 1.0));
+    const dmg::QuadMesh quads = MakeQuadsOf(*this, view, crosses, options, dmg::PartOfContext(context, 0.1, 0.95));
     dmg::MapToPolyData(quads, view, output(1));
+    context.Checkpoint(0.97);
     if (!quads.Report.Error.empty())
     {
       vtkErrorMacro(<< dmg::InPanelWords(quads.Report.Error));
@@ -128,6 +129,7 @@ int vtkFieldQuads::RequestData(
     }
     this->Summary = SummaryOf(quads);
     dmg::QuadsToPolyData(quads, view, output(0));
+    context.Checkpoint(0.99);
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
     dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
   };

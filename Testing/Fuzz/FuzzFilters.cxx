@@ -12,6 +12,7 @@
 #include "Cxx/TestTools.h"
 #include "Fuzz/Choices.h"
 #include "Fuzz/OtherData.h"
+#include "Fuzz/TimeSeries.h"
 
 #include "vtkDirectionalProlongation.h"
 #include "vtkFieldAngles.h"
@@ -37,6 +38,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -290,7 +292,8 @@ bool MayBeNaN(const std::string& array)
   static const std::set<std::string> names = { "GeodesicDistance", "GeodesicAngle", "LogarithmicMap",
     "TextureCoordinates", "GradientPart", "RotationalPart", "HarmonicPart", "Residual", "NormalComponent", "Potential",
     "StreamFunction", "Divergence", "Vorticity", "Distance", "DirectionFromSource", "PathLength", "StraightLength" };
-  return names.count(array) > 0;
+  const auto isScale = [&array](const char* word) { return array.find(word) != std::string::npos; };
+  return names.count(array) > 0 || isScale(" below ") || isScale(" above ");
 }
 
 /// \param isOtherMesh whether the arrays of the input are handed on as new ones.
@@ -620,6 +623,78 @@ void RunScales(Choices choose, vtkPolyData* surface)
   Draw(choose, { scales }, surface);
 }
 
+/// The steps of a series: points and arrays that move, other surfaces, and nothing.
+vtkSmartPointer<TimeSeries> SeriesOf(Choices& choose, vtkPolyData* surface)
+{
+  auto series = vtkSmartPointer<TimeSeries>::New();
+  for (int steps = 2 + choose.Below(3); steps > 0; --steps)
+  {
+    vtkSmartPointer<vtkPolyData> step = choose.OneIn(4) ? SurfaceOf(choose) : vtkSmartPointer<vtkPolyData>::New();
+    if (step->GetNumberOfCells() == 0 && !choose.OneIn(10))
+    {
+      step->DeepCopy(surface);
+      if (choose.OneIn(2))
+      {
+        double place[3];
+        const int point = choose.Below(static_cast<int>(step->GetNumberOfPoints()));
+        step->GetPoint(point, place);
+        place[choose.Below(3)] += 0.01 * choose.Number();
+        step->GetPoints()->SetPoint(point, place);
+      }
+    }
+    AddArrays(choose, step);
+    series->Steps.push_back(step);
+  }
+  return series;
+}
+
+/// Filters at the times of a series, back and forth: what they give for a time depends on no other.
+void RunSeries(Choices choose, vtkPolyData* surface)
+{
+  const vtkSmartPointer<TimeSeries> series = SeriesOf(choose, surface);
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->SetNumberOfDirections(1 + choose.Below(6));
+  solver->SetBoundaryWeight(choose.Below(2));
+  if (choose.OneIn(2))
+  {
+    solver->SetInputArrayToProcess(1, 0, 0, choose.Below(2), "Given");
+  }
+  vtkNew<vtkHodgeDecomposition> hodge;
+  hodge->SetInputArrayToProcess(0, 0, 0, choose.Below(2), "Given");
+  vtkNew<vtkParallelTransport> transport;
+  vtkNew<vtkSurfaceDistance> distance;
+  distance->SetInputArrayToProcess(0, 0, 0, choose.Below(2), choose.OneIn(2) ? "Values" : "");
+  vtkNew<vtkScaleFilter> scales;
+  scales->AddArray("Values");
+  scales->AddWavelength(0.2 + choose.Unit());
+  vtkNew<vtkFieldLines> lines;
+  lines->SetSeparatingDistance(0.1);
+  lines->SetInputArrayToProcess(0, 0, 0, choose.Below(2), "Given");
+  for (vtkAlgorithm* const filter :
+    std::initializer_list<vtkAlgorithm*>{ solver, hodge, transport, distance, scales, lines })
+  {
+    filter->SetInputConnection(series->GetOutputPort());
+    std::map<int, std::map<std::string, std::string>> former;
+    for (int visits = 5; visits > 0; --visits)
+    {
+      const int time = choose.Below(static_cast<int>(series->Steps.size()));
+      const Messages messages(filter);
+      filter->UpdateTimeStep(time);
+      const auto bytes = BytesOf(filter->GetOutputDataObject(0));
+      for (const auto& [name, numbers] : former.emplace(time, bytes).first->second)
+      {
+        const bool goesOn = filter == solver && name.find("Direction0") != std::string::npos; // SetCombing
+        if (bytes.count(name) == 0 || (bytes.at(name) != numbers && !goesOn))
+        {
+          throw std::runtime_error(
+            std::string(filter->GetClassName()) + ": the " + name + " is another when its time comes again");
+        }
+      }
+      CheckNumbers(filter->GetOutputDataObject(0), series->Steps[time], false);
+    }
+  }
+}
+
 void RunCase(unsigned long long seed, const std::filesystem::path& folder)
 {
   Choices choose(seed);
@@ -696,6 +771,7 @@ void RunCase(unsigned long long seed, const std::filesystem::path& folder)
   RunQuads(choose, choose.OneIn(2) ? field : input);
   RunScales(Choices(seed + 2000000000), field);
   RunOtherData(Choices(seed + 1000000000), input, folder);
+  RunSeries(Choices(seed + 3000000000), input);
 }
 
 /// \return whether it is as it must be.

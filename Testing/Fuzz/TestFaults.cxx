@@ -12,6 +12,7 @@
 #include "vtkFieldAngles.h"
 #include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
+#include "vtkFieldQuads.h"
 #include "vtkFieldSingularities.h"
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
@@ -306,6 +307,23 @@ TEST(Memory, ThatTheFactorLacksIsAnErrorAndConjugateGradientsHelp)
   solver->Update();
   EXPECT_FALSE(FieldOf(solver).empty());
   LetCholmodCall(__libc_malloc);
+}
+
+TEST(Memory, ThatFactorsOfQuadsLackIsAnErrorWithARemedyThatQuadsHave)
+{
+  vtkNew<vtkFieldQuads> quads;
+  quads->SetInputData(PolyDataOf(Torus(100, 60)));
+  quads->SetNumberOfQuads(500);
+  const Messages messages(quads);
+  LetCholmodCall(NoMoreThanFourMegabytes);
+  quads->Update();
+  LetCholmodCall(__libc_malloc);
+  EXPECT_NE(messages.Error().find("do not fit into memory"), std::string::npos) << messages.Error();
+  EXPECT_EQ(messages.Error().find("Solver"), std::string::npos) << messages.Error();
+  EXPECT_EQ(quads->GetOutput()->GetNumberOfCells(), 0);
+  quads->SetInputData(PolyDataOf(Torus(24, 12)));
+  quads->Update();
+  EXPECT_GT(quads->GetOutput()->GetNumberOfCells(), 0);
 }
 
 // Aborts

@@ -105,11 +105,7 @@ std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matri
   {
     RefuseThinTriangles(mesh);
   }
-  catch (const UnexpectedFailure&)
-  {
-    throw;
-  }
-  catch (const SolverFailure&)
+  catch (const FactorDoesNotFit&)
   {
     throw SolverFailure("the factors of parallel transport do not fit into memory; " + TextOf(Remedy::FewerTriangles));
   }

@@ -180,7 +180,7 @@ private:
     {
       this->CornersOfParticipants.row(static_cast<Eigen::Index>(i)) = this->Corners.row(this->Participants[i]);
     }
-    this->Pairing.HasBothSides = this->AreGivenWithBothSides();
+    this->FindOtherSides();
     this->Pairs = this->PairBy(this->Pairing);
   }
 
@@ -189,10 +189,10 @@ private:
     return PairSheets(this->Input.Positions, this->CornersOfParticipants, options, this->Context);
   }
 
-  /// Whether participants have a twin that runs the other way round.
-  std::vector<char> AreGivenWithBothSides() const
+  /// Finds the twins of triangles that take part which run the other way round.
+  void FindOtherSides()
   {
-    std::vector<char> haveOther(this->Size, 0);
+    this->OtherSides.assign(this->Size, -1);
     for (int t = 0; t < this->Size; ++t)
     {
       const int first = this->Twins[t];
@@ -204,15 +204,39 @@ private:
         {
           ++k;
         }
-        haveOther[first] |= at(first, k + 1) == at(t, 2) && at(first, k + 2) == at(t, 1) ? 1 : 0;
+        if (at(first, k + 1) == at(t, 2) && at(first, k + 2) == at(t, 1))
+        {
+          this->OtherSides[first] = t;
+        }
       }
     }
-    std::vector<char> ofParticipants;
+    this->Pairing.HasBothSides.clear();
     for (const int t : this->Participants)
     {
-      ofParticipants.push_back(haveOther[t]);
+      this->Pairing.HasBothSides.push_back(this->OtherSides[t] >= 0 ? 1 : 0);
     }
-    return ofParticipants;
+  }
+
+  /// Lets the other side of a triangle take part where the triangle would be turned. \return whether there is one.
+  bool TakeOtherSides()
+  {
+    std::vector<int> chosen = Identity(this->Size);
+    bool isAny = false;
+    for (std::size_t i = 0; i < this->Participants.size(); ++i)
+    {
+      const int t = this->Participants[i], other = this->OtherSides[t];
+      if (this->Sides.IsTurned[i] && other >= 0)
+      {
+        std::swap(this->TakesPart[t], this->TakesPart[other]);
+        chosen[t] = other;
+        isAny = true;
+      }
+    }
+    for (int& first : this->Twins)
+    {
+      first = chosen[first];
+    }
+    return isAny;
   }
 
   bool JoinPoints()
@@ -239,11 +263,21 @@ private:
   void MakeManifold()
   {
     this->RefuseWithoutParticipants();
-    this->Sides = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
-    this->TurnNothingWherePossible();
+    this->OrientParticipants();
+    if (this->TakeOtherSides())
+    {
+      this->PairParticipants();
+      this->OrientParticipants();
+    }
     TurnOver(this->CornersOfParticipants, this->Pairs, this->Sides.IsTurned);
     this->Fans = VerticesOfFans(
       static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
+  }
+
+  void OrientParticipants()
+  {
+    this->Sides = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
+    this->TurnNothingWherePossible();
   }
 
   /// Triangles that agree with each other at all other edges do so at those of more than two, if no more of them end there.
@@ -309,6 +343,7 @@ private:
   std::vector<char> TakesPart;   ///< per triangle
   std::vector<int> Participants; ///< the triangles that take part
   Triangles CornersOfParticipants;
+  std::vector<int> OtherSides; ///< per triangle: a twin of it that runs the other way round, or -1
   PairingOptions Pairing;
   SheetPairs Pairs;  ///< of kept triangles
   Orientation Sides; ///< of kept triangles

@@ -2,6 +2,7 @@
 
 #include "Quads/LengthsOfEdges.h"
 #include "Quads/QuadMaking.h"
+#include "Quads/QuadRemedies.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -117,14 +118,18 @@ std::shared_ptr<const FinerSurface> SurfaceForQuads(
   const FramedMesh& surface, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
 {
   CheckOptions(surface, options, names);
+  context.Checkpoint(0.0);
   const Vector<double> lengths = CheckedLengths(surface.Mesh, options).OnFaces;
   const double quads = ExpectedOnFaces(surface.Mesh, lengths).sum();
   return HalveLongEdges(
     surface, LongestEdge * lengths, std::max(MostFacesPerQuad * quads, 1.5 * surface.Mesh.NumberOfFaces()), context);
 }
 
-QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer, const Vector<Complex>& powers,
-  const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
+namespace
+{
+
+QuadMesh MakeWithFactors(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer,
+  const Vector<Complex>& powers, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
 {
   if (!finer)
   {
@@ -150,6 +155,14 @@ QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface
   TakeToParents(*finer, mesh);
   mesh.Finer = std::move(finer);
   return mesh;
+}
+
+}
+
+QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer, const Vector<Complex>& powers,
+  const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
+{
+  return WithRemedyOfQuads([&] { return MakeWithFactors(surface, std::move(finer), powers, options, context, names); });
 }
 
 QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options,

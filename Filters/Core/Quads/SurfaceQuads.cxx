@@ -2,6 +2,7 @@
 
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
+#include "Quads/QuadRemedies.h"
 
 #include <cmath>
 #include <memory>
@@ -71,7 +72,8 @@ QuadMesh MakeQuadsAlongFeatures(
     problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
   }
   problem.UnitLengthWhileSmoothing = true;
-  const Field& field = solver.Solve(problem, PartOfContext(context, 0.05, 0.3), finer ? finer->NamesOf(names) : names);
+  const Field& field = *WithRemedyOfQuads(
+    [&] { return &solver.Solve(problem, PartOfContext(context, 0.05, 0.3), finer ? finer->NamesOf(names) : names); });
   const Vector<Complex> powers = FourthPowers(field.OnFaces);
   return MakeQuads(surface, std::move(finer), powers, options, PartOfContext(context, 0.3, 1.0), names);
 }
@@ -80,7 +82,9 @@ QuadMesh MakeQuadsAcrossGaps(const FramedMesh& surface, const Vector<Complex>& p
   const ExecutionContext& context, const ElementNames& names)
 {
   const bool hasGaps = powers.size() == surface.Mesh.NumberOfFaces() && (powers.array() == 0.0).any();
-  return MakeQuads(surface, hasGaps ? FilledGaps(surface, powers, PartOfContext(context, 0.0, 0.2), names) : powers,
+  return MakeQuads(surface,
+    hasGaps ? WithRemedyOfQuads([&] { return FilledGaps(surface, powers, PartOfContext(context, 0.0, 0.2), names); })
+            : powers,
     options, PartOfContext(context, hasGaps ? 0.2 : 0.0, 1.0), names);
 }
 

@@ -402,6 +402,26 @@ TEST(PreparedSurface, TurnsNoSheetThatAgreesWithAnother)
   EXPECT_NE(componentOf(0), componentOf(1));
 }
 
+// The skin of a tetrahedron beside a triangle that is given once more, from the other side: the triangle of the skin stays.
+TEST(PreparedSurface, KeepsTheTriangleThatAgreesOfTwins)
+{
+  for (const int place : { 0, 4 }) // of the other side
+  {
+    Surface skin{ Points(4, 3), Triangles(5, 3) };
+    skin.V << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    const int corners[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
+    for (int k = 0; k < 4; ++k)
+    {
+      skin.F.row(k + (place == 0 ? 1 : 0)) << corners[k][0], corners[k][1], corners[k][2];
+    }
+    skin.F.row(place) << 1, 3, 2;
+    const PreparedSurface prepared = Prepared(skin);
+    EXPECT_EQ(prepared.Report.Text(), "1 cell doubled") << place;
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+    ExpectConsistent(prepared, skin.V, 5);
+  }
+}
+
 // Two plates that cross, each given with both of its sides, in any order: each goes on through the other.
 TEST(PreparedSurface, LetsPlatesWithTwoSidesCross)
 {

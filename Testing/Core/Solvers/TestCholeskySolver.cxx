@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,20 @@ TYPED_TEST(AnyCholeskySolver, SolvesWithEveryOrdering)
     EXPECT_EQ(solver.NumberOfUnknowns(), A.rows());
     EXPECT_GT(solver.NonZeros(), A.nonZeros() / 2);
     EXPECT_GE(solver.Bytes(), solver.NonZeros() * static_cast<long long>(sizeof(TypeParam)));
+  }
+}
+
+TYPED_TEST(AnyCholeskySolver, CanBeStoppedBeforeTheFactor)
+{
+  const auto A = test::MakeGridProblem<TypeParam>(6, 1).A;
+  test::TbbContext watched(1);
+  CholeskySolver<TypeParam>(A, FillOrdering::AMD, watched);
+  EXPECT_EQ(watched.Progress().size(), 2U);
+  for (const int stop : { 1, 2 })
+  {
+    test::TbbContext stopped(1);
+    stopped.CancelAfter(stop);
+    EXPECT_THROW(CholeskySolver<TypeParam>(A, FillOrdering::AMD, stopped), Cancelled);
   }
 }
 

@@ -267,6 +267,7 @@ ElementNames FinerSurface::NamesOf(const ElementNames& names) const
 std::shared_ptr<const FinerSurface> HalveLongEdges(
   const FramedMesh& surface, const Vector<double>& longest, double mostFaces, const ExecutionContext& context)
 {
+  context.Checkpoint(0.0);
   Halving halving(surface.Mesh, longest, mostFaces);
   if (!halving.Halve())
   {

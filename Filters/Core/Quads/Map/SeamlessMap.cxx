@@ -147,8 +147,9 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
     }
   }
   K.finalize();
+  context.Checkpoint(0.15);
   SparseMatrix<double> KR = K * this->Variables.Reals;
-  context.Checkpoint(0.2);
+  context.Checkpoint(0.3);
   SparseMatrix<double> H = SparseMatrix<double>(this->Variables.Reals.transpose()) * KR;
   ShiftDiagonal(H, 1e-10);
   H.makeCompressed();
@@ -158,10 +159,9 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
   this->Schur = Eigen::MatrixXd(SparseMatrix<double>(Z.transpose()) * SparseMatrix<double>(K * Z));
   K = SparseMatrix<double>(); // makes room for the factor
   KR = SparseMatrix<double>();
-  context.Checkpoint(0.5);
   if (H.rows() > 0)
   {
-    this->Factor = std::make_unique<CholeskySolver<double>>(H);
+    this->Factor = std::make_unique<CholeskySolver<double>>(H, FillOrdering::AMD, PartOfContext(context, 0.5, 1.0));
   }
   context.Checkpoint(1.0);
 }

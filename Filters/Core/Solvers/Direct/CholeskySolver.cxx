@@ -188,7 +188,7 @@ public:
   {
     if (this->Common.status == CHOLMOD_OUT_OF_MEMORY || this->Common.status == CHOLMOD_TOO_LARGE)
     {
-      throw SolverFailure("the Cholesky factor does not fit into memory; " + TextOf(Remedy::ConjugateGradients) +
+      throw FactorDoesNotFit("the Cholesky factor does not fit into memory; " + TextOf(Remedy::ConjugateGradients) +
         " or " + TextOf(Remedy::FewerTriangles));
     }
     throw UnexpectedFailure("CHOLMOD failed with status " + std::to_string(this->Common.status));
@@ -205,11 +205,14 @@ public:
 };
 
 template <class Scalar>
-CholeskySolver<Scalar>::CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering)
+CholeskySolver<Scalar>::CholeskySolver(
+  const SparseMatrix<Scalar>& A, FillOrdering ordering, const ExecutionContext& context)
   : Internal(std::make_unique<Internals>(ordering))
 {
+  context.Checkpoint(0.0);
   auto upper = Internals::UpperTriangleOf(A);
   this->Internal->Analyze(upper);
+  context.Checkpoint(0.3);
   this->Internal->Factor(upper);
 }
 

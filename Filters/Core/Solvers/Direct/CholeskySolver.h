@@ -2,6 +2,7 @@
 #define dmgCholeskySolver_h
 
 #include "Support/Errors.h"
+#include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 #include <memory>
@@ -24,6 +25,13 @@ public:
   using UnexpectedFailure::UnexpectedFailure;
 };
 
+/// Memory is not enough for a factor.
+class FactorDoesNotFit : public SolverFailure
+{
+public:
+  using SolverFailure::SolverFailure;
+};
+
 /// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
 /// positive definite matrix, by CHOLMOD with its 64-bit indices. Built without GPL (DMG_GPL), it is simplicial.
 ///
@@ -37,8 +45,11 @@ public:
   /// Orders, analyses and factors \p A. Only its lower triangle is read.
   /// \pre A is square and compressed.
   /// \throw NotPositiveDefinite
-  /// \throw SolverFailure memory ran out.
-  explicit CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD);
+  /// \param context is asked before the ordering and before the factor, and not inside of these, which CHOLMOD makes.
+  /// \throw FactorDoesNotFit
+  /// \throw Cancelled
+  explicit CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD,
+    const ExecutionContext& context = SerialContext());
   ~CholeskySolver();
   CholeskySolver(CholeskySolver&&) noexcept;
   CholeskySolver& operator=(CholeskySolver&&) noexcept;
