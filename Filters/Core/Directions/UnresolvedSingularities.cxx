@@ -16,29 +16,37 @@ struct Disc
   int NumberOfFaces = 0;
 };
 
-/// Vertices that are singular and neighbours of each other. Three rings around a vertex have room for what a singularity of any index looks
+/// Singular vertices that are not more than two edges from each other. Three rings around a vertex have room for what a singularity of any index looks
 /// like; larger sets are noise.
 constexpr std::size_t LargestCluster = 37;
+
+template <class Visit>
+void VisitRing(const TriangleMesh& mesh, int vertex, const Visit& visit)
+{
+  mesh.VisitFan(vertex,
+    [&](int h)
+    {
+      visit(mesh.Head(h));
+      visit(mesh.Tail(TriangleMesh::Previous(h)));
+    });
+}
 
 std::vector<int> ClusterOf(
   const TriangleMesh& mesh, const Vector<double>& indices, int start, std::vector<char>& isDone)
 {
   std::vector<int> cluster{ start };
   isDone[start] = 1;
+  const auto add = [&](int vertex)
+  {
+    if (indices[vertex] != 0.0 && !isDone[vertex])
+    {
+      isDone[vertex] = 1;
+      cluster.push_back(vertex);
+    }
+  };
   for (std::size_t k = 0; k < cluster.size(); ++k)
   {
-    mesh.VisitFan(cluster[k],
-      [&](int h)
-      {
-        for (const int neighbour : { mesh.Head(h), mesh.Tail(TriangleMesh::Previous(h)) })
-        {
-          if (indices[neighbour] != 0.0 && !isDone[neighbour])
-          {
-            isDone[neighbour] = 1;
-            cluster.push_back(neighbour);
-          }
-        }
-      });
+    VisitRing(mesh, cluster[k], [&](int neighbour) { VisitRing(mesh, neighbour, add); });
   }
   return cluster;
 }

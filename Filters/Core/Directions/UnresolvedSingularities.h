@@ -16,7 +16,7 @@ namespace dmg
 /// Directions at vertices that are brought to the faces read as singularities over several rings.
 ///
 /// A vertex is listed where its index, or those of its triangles, has another sign than the sum k / N with the singular vertices that it is
-/// connected to by singular ones, or with the triangles across the edges of its own, and n < 2 k. Pairs of opposite singularities, as noise
+/// connected to by steps of at most two edges, or with the triangles across the edges of its own, and n < 2 k. Pairs of opposite singularities, as noise
 /// and coarse surfaces have them, are not.
 /// \param indices FieldTopology::Indices, per vertex or per face.
 /// \param areAtVertices whether they are per vertex.

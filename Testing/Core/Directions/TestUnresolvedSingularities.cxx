@@ -45,7 +45,7 @@ TEST(UnresolvedSingularities, AreThePolesWithTooFewTriangles)
   }
 }
 
-// A pole of index 2 whose directions stood at the vertices: one of -1 at the pole, two of +1 around it, and two of +1/2 one ring farther on.
+// A pole of index 2 whose directions stood at the vertices: one of -1 at the pole, two of +1 around it, and two of +1/2 two rings farther on.
 TEST(UnresolvedSingularities, MayReachOverSeveralRings)
 {
   const TriangleMesh mesh = PlaneGrid(8, 8).Mesh();
@@ -53,9 +53,9 @@ TEST(UnresolvedSingularities, MayReachOverSeveralRings)
   Vector<double> indices = Vector<double>::Zero(mesh.NumberOfVertices());
   indices[Middle] = -1.0;
   indices[Middle - 1] = indices[Middle + 1] = 1.0;
-  indices[Middle - 2] = indices[Middle + 2] = 0.5;
+  indices[Middle - 3] = indices[Middle + 3] = 0.5;
   EXPECT_EQ(UnresolvedSingularities(mesh, indices, 2, true), std::vector<int>{ Middle });
-  indices[Middle + 2] = 0.0; // a sum of 3 / 2 has six triangles for its three halves
+  indices[Middle + 3] = 0.0; // a sum of 3 / 2 has six triangles for its three halves
   EXPECT_TRUE(UnresolvedSingularities(mesh, indices, 2, true).empty());
 }
 
