@@ -35,8 +35,14 @@
  * | Index               | points | 1          | double | a multiple of 1 / N, never 0; the active scalars   |
  * | NumberOfDirections  | points | 1          | int    | N                                                  |
  * | PointId             | points | 1          | id     | number of the point in the input; of fields at points CellId, that of the cell |
+ * | NumberOfAxes        | points | 1          | int    | n = N (1 - Index), without its sign                |
+ * | Axis0, Axis1, ...   | points | 3          | double | unit vectors in which the field is radial, n of them, then zeros |
+ * | SpiralAngle         | points | 1          | double | of index 1: degrees from the radius to the field, 0 an aster, 90 a vortex; else 0 |
  * | SumOfIndices        | field  | 1          | double | of all points and all boundary loops               |
  * | EulerCharacteristic | field  | 1          | int    | of the surface, which is the same                  |
+ *
+ * So a defect of +1/2 of a nematic has one axis, from its head to its tail (along the divergence of Q), and one of -1/2 has three. They
+ * are means over two rings of cells.
  *
  * Port 1, the cuts: vtkPolyData, a line per edge, from the smaller to the larger point index of the input. With combed
  * directions (vtkHarmonicFieldSolver::Combing) they are few, and N = 1 has none.
@@ -53,7 +59,7 @@
  * | Index | cells | 1          | double | a multiple of 1 / N, also 0; the active scalars      |
  *
  * Port 3, the spheres: vtkPolyData, a sphere of triangles around each singularity, to be looked at. Points have the arrays
- * of their singularity and SignColor, three unsigned char: red where Index is positive, green where it is negative. A mapper
+ * of their singularity, but its axes, and SignColor, three unsigned char: red where Index is positive, green where it is negative. A mapper
  * shows them by SelectColorArray("SignColor").
  *
  * @section vtkFieldSingularities-Execution Execution

@@ -206,8 +206,9 @@ public:
   /**
    * Whether the field is the smoothest one nearby among those of unit length, in place of the smoothest one of any length. A field of
    * any length is short far from what it follows, and its singularities meet there; at unit length they keep apart, as quads want them.
-   * Prescribed vectors count by their directions alone. It costs twenty solves of well-conditioned systems on the same set-up. Of power
-   * fields and face fields without prescribed singularities, without effect on others. Default off.
+   * Prescribed vectors count by their directions alone. Singularities move until the energy stands still, which costs some seventy
+   * solves of well-conditioned systems on the same set-up. Of power fields and face fields without prescribed singularities, without
+   * effect on others. Default off.
    */
   vtkSetMacro(UnitLengthWhileSmoothing, bool);
   vtkGetMacro(UnitLengthWhileSmoothing, bool);

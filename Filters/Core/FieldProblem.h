@@ -36,8 +36,8 @@ struct FieldProblem
   std::optional<std::vector<PrescribedSingularity>> Singularities = {};
 
   /// Whether the field is the smoothest one nearby among those of unit length, in place of the smoothest one of any length: singularities
-  /// keep apart rather than meet where the field is short (DiffusedAtUnitLength). Of power fields and face fields; values of unit length
-  /// are followed, whatever the length of those that are given. Prescribed singularities leave nothing for it to do.
+  /// keep apart rather than meet where the field is short (DiffusedAtUnitLength). Of power fields and face fields; directions
+  /// are followed, whatever the lengths of prescribed vectors. Prescribed singularities leave nothing for it to do.
   bool UnitLengthWhileSmoothing = false;
 
   /// Whether direction 0 continues from face to face wherever that is possible, rather than being the principal root.

@@ -188,21 +188,23 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldPr
   const Constraints& constraints, const ExecutionContext& context, const ElementNames& names)
 {
   const FieldOptions& options = problem.Options;
-  const FieldConstraints onElements = this->Discretisation->Prescribe(constraints, names);
+  const bool isDiffused = problem.UnitLengthWhileSmoothing && HaveLengths(*this->Discretisation);
+  const FieldConstraints onElements =
+    this->Discretisation->Prescribe(isDiffused ? AtUnitLength(constraints, this->Surface) : constraints, names);
   CheckSizes(constraints, names);
+  const double solved = isDiffused ? 0.3 : 1.0;
+  const PartOfContext first(context, 0.0, solved);
   const PlannedSetup setup =
-    this->Setups.Take(*this->Discretisation, options, this->GivenOperators, PartOfContext(context, 0.0, 0.5));
+    this->Setups.Take(*this->Discretisation, options, this->GivenOperators, PartOfContext(first, 0.0, 0.5));
   const bool isFirst = !std::exchange(this->HasSetup, true);
   this->Counts.Setups += isFirst || setup.HasNewLevels;
   if (onElements.Source.size() > 0 && setup.Choice.Method->IsApproximation())
   {
     throw InvalidInput("nested iterations and coarse prolongations take no source; choose another solver");
   }
-  this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
-  const bool isDiffused = problem.UnitLengthWhileSmoothing && HaveLengths(*this->Discretisation);
-  const double solved = isDiffused ? 0.8 : 1.0;
+  this->MakeSystem(setup, onElements, options, PartOfContext(first, 0.5, 0.75));
   // Diffusion makes the least difference of its start large where singularities balance by symmetry.
-  this->SolveSystem(onElements, problem.Stop, setup, isDiffused, PartOfContext(context, 0.75, solved));
+  this->SolveSystem(onElements, problem.Stop, setup, isDiffused, PartOfContext(first, 0.75, 1.0));
   context.Checkpoint(solved);
   return isDiffused ? this->Diffuse(problem, setup, PartOfContext(context, solved, 1.0)) : this->Solution;
 }
@@ -212,9 +214,9 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Diffuse(
 {
   if (this->StartOfDiffused != this->Solution)
   {
-    const double area = this->Surface.Mesh.FaceAreas().sum();
     this->Diffused = std::make_shared<const FieldSolution>(
-      DiffusedAtUnitLength(*this->Solution, setup, problem.Options, area, problem.Stop, context));
+      DiffusedAtUnitLength(*this->Solution, setup, problem.Options, this->Surface.Mesh, problem.Stop, context)
+        .Solution);
     this->StartOfDiffused = this->Solution;
   }
   return this->Diffused;

@@ -242,7 +242,7 @@ TEST_P(FieldDrawing, NamesWhatIsWrongWithTheChoice)
   const auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
   filter->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
   EXPECT_NE(ChoiceErrorFor(filter, data).find("array 'Wind'"), std::string::npos);
-  data->GetCellData()->AddArray(Zeros("Wind", data->GetNumberOfCells(), 4));
+  data->GetCellData()->AddArray(Zeros("Wind", data->GetNumberOfCells(), 5));
   EXPECT_NE(ChoiceErrorFor(filter, data).find("holds neither vectors nor tensors"), std::string::npos);
   filter->SetInputArrayToProcess(0, 0, 0, Cells, "None");
   Messages messages(filter);

@@ -105,12 +105,17 @@ ChosenArray ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   const ChosenArray chosen = FindVectors(algorithm, surface);
   const int components = chosen.Array ? chosen.Array->GetNumberOfComponents() : 0;
-  if (components != 2 && components != 3 && components != 6 && components != 9)
+  if (components != 2 && components != 3 && !HoldsTensors(chosen.Array))
   {
     const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
     throw WrongChoice("array '" + name +
       "' holds neither vectors nor tensors; choose an array of vectors (3 numbers, or 2 in a plane) or of tensors (6 "
-      "or 9)");
+      "or 9, or 4 in a plane)");
+  }
+  if (components == 2 && NameOf(chosen.Array) == "PowerField")
+  {
+    throw WrongChoice("array 'PowerField' holds the powers of a field in frames of its solver, which are no directions "
+                      "of the surface; choose Direction0");
   }
   for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
          static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })

@@ -69,13 +69,16 @@ DirectionReader ReaderOf(
     return [both, &surface](vtkIdType element, const double*)
     { return both.At(element, PlaceOf(element, both.Eastward.OnPoints(), surface)); };
   }
-  if (components == 2)
+  if (vectors)
   {
     if (const std::string problem = ProblemOfPlaneVectors(vectors, surface.Geometry.Mesh.VertexPositions());
         !problem.empty())
     {
       throw InvalidInput(problem);
     }
+  }
+  if (components == 2)
+  {
     return [](vtkIdType, const double* numbers) { return Vector3(numbers[0], numbers[1], 0.0); };
   }
   if (!HoldsTensors(vectors))

@@ -1,6 +1,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 
 #include "Adapters/Surface/PolyDataBuilder.h"
+#include "Directions/ShapeOfSingularity.h"
 #include "Drawing/ThinWalls.h"
 
 #include "vtkCellData.h"
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -130,6 +132,37 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
   SetNormals(output, NormalsOfInk(surface, onSurface, glyphs.Normals, context));
 }
 
+namespace
+{
+
+/// The angle of spirals, and the axes of singularities, each an array with zeros where there are fewer.
+void AddShapes(const std::vector<ShapeOfSingularity>& shapes, vtkPolyData* output)
+{
+  std::size_t most = 0;
+  std::vector<double> angles;
+  std::vector<int> numbers;
+  for (const ShapeOfSingularity& shape : shapes)
+  {
+    most = std::max(most, shape.Axes.size());
+    numbers.push_back(static_cast<int>(shape.Axes.size()));
+    angles.push_back(shape.Axes.empty() ? 180.0 / Pi * shape.SpiralAngle : 0.0);
+  }
+  AddToPoints<vtkIntArray>(output, "NumberOfAxes", numbers);
+  for (std::size_t k = 0; k < most; ++k)
+  {
+    std::vector<double> axes;
+    for (const ShapeOfSingularity& shape : shapes)
+    {
+      const Vector3 axis = k < shape.Axes.size() ? shape.Axes[k] : Vector3(Vector3::Zero());
+      axes.insert(axes.end(), axis.data(), axis.data() + 3);
+    }
+    output->GetPointData()->AddArray(NewArray<vtkDoubleArray>("Axis" + std::to_string(k), 3, axes));
+  }
+  AddToPoints<vtkDoubleArray>(output, "SpiralAngle", angles);
+}
+
+}
+
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const SurfaceRelation& relation = given.View.Relation();
@@ -154,8 +187,12 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
   PolyDataBuilder drawing(PolyDataBuilder::Cells::Vertices);
   std::vector<double> indices;
   std::vector<vtkIdType> ids;
+  std::vector<ShapeOfSingularity> shapes;
+  const Vector<Complex> first = given.Field.First();
   for (const auto& [id, element] : singular)
   {
+    shapes.push_back(ShapeAt(
+      given.View.Surface().Geometry, first, given.Field.N(), { element, areOnFaces, topology.Indices[element] }));
     drawing.AddCell({ drawing.AddPoint(areOnFaces ? CentreOf(mesh, element) : mesh.Position(element)) });
     indices.push_back(topology.Indices[element]);
     ids.push_back(id);
@@ -164,6 +201,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
   output->GetPointData()->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices));
   AddToPoints<vtkIntArray>(output, "NumberOfDirections", std::vector<int>(ids.size(), given.Field.N()));
   AddToPoints<vtkIdTypeArray>(output, areOnFaces ? "CellId" : "PointId", ids);
+  AddShapes(shapes, output);
   AddHidden(output->GetFieldData(), NewValue<vtkDoubleArray>("SumOfIndices", sum));
   AddHidden(output->GetFieldData(), NewValue<vtkIntArray>("EulerCharacteristic", mesh.EulerCharacteristic()));
 }
@@ -205,6 +243,13 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   vtkNew<vtkGlyph3D> glyphs;
   vtkNew<vtkPolyData> copy; // the pipeline writes into the data what was asked for
   copy->ShallowCopy(singularities);
+  for (int i = copy->GetPointData()->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (copy->GetPointData()->GetArray(i)->GetNumberOfComponents() > 1) // axes, which spheres as guides would offer
+    {
+      copy->GetPointData()->RemoveArray(i);
+    }
+  }
   glyphs->SetInputData(copy);
   glyphs->SetSourceConnection(sphere->GetOutputPort());
   glyphs->ScalingOff();

@@ -165,19 +165,26 @@ ChosenArray FindVectors(
 
 std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions)
 {
-  if (vectors->GetNumberOfComponents() != 2 || positions.rows() == 0 || HaveConstantZ(positions))
+  const int components = vectors->GetNumberOfComponents();
+  if ((components != 2 && components != 4) || positions.rows() == 0 || HaveConstantZ(positions))
   {
     return "";
   }
-  return NameOf(vectors) +
-    " holds vectors of 2 numbers, and the surface is not in a plane of constant z; make vectors of 3 numbers, with "
-    "Calculator (vtkArrayCalculator) for example";
+  const std::string found = components == 2 ? "vectors of 2 numbers" : "tensors of 4 numbers (XX XY YX YY)";
+  return NameOf(vectors) + " holds " + found + ", and the surface is not in a plane of constant z; make " +
+    (components == 2 ? "vectors of 3 numbers" : "tensors of 6 or 9 numbers") +
+    ", with Calculator (vtkArrayCalculator) for example";
 }
 
 Eigen::Matrix3d TensorOf(const double* numbers, int components)
 {
   Eigen::Matrix3d tensor;
-  if (components == 6)
+  if (components == 4)
+  {
+    const auto& [xx, xy, yx, yy] = *reinterpret_cast<const double(*)[4]>(numbers);
+    tensor << xx, xy, 0.0, yx, yy, 0.0, 0.0, 0.0, 0.0;
+  }
+  else if (components == 6)
   {
     const auto& [xx, yy, zz, xy, yz, xz] = *reinterpret_cast<const double(*)[6]>(numbers);
     tensor << xx, xy, xz, xy, yy, yz, xz, yz, zz;
@@ -191,7 +198,9 @@ Eigen::Matrix3d TensorOf(const double* numbers, int components)
 
 bool HoldsTensors(vtkDataArray* array)
 {
-  return array && (array->GetNumberOfComponents() == 6 || array->GetNumberOfComponents() == 9);
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const bool isColor = components == 4 && array->GetDataType() == VTK_UNSIGNED_CHAR; // with an opacity
+  return (components == 4 && !isColor) || components == 6 || components == 9;
 }
 
 namespace

@@ -77,11 +77,11 @@ int ComponentsOf(const ChosenArray& choice, vtkDataSet* dataset);
 ChosenArray FindVectors(
   const ChosenArray& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose);
 
-/// Vectors of 2 numbers belong to surfaces in a plane of constant z, where the third number is zero.
+/// Vectors of 2 numbers, and tensors of 4, belong to surfaces in a plane of constant z, where the other numbers are zero.
 /// \return the words of an error where the surface is another one, else nothing.
 std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions);
 
-/// A tensor: a symmetric one of 6 numbers (XX YY ZZ XY YZ XZ), or one of 9 by rows.
+/// A tensor: one of a plane of 4 numbers (XX XY YX YY), a symmetric one of 6 (XX YY ZZ XY YZ XZ), or one of 9 by rows.
 Eigen::Matrix3d TensorOf(const double* numbers, int components);
 bool HoldsTensors(vtkDataArray* array);
 

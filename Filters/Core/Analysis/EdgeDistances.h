@@ -14,8 +14,8 @@ namespace dmg
 /// \param from vertices at distance 0, at least one.
 /// \return #V, of each vertex the distance to the nearest of them; infinite beyond the maximum, and on components without one.
 /// Cost: O(n log n), n the number of vertices within the maximum.
-Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from,
-  double maximum = std::numeric_limits<double>::infinity());
+Vector<double> DistancesAlongEdges(
+  const TriangleMesh& mesh, const std::vector<int>& from, double maximum = std::numeric_limits<double>::infinity());
 
 /// \param distances #V.
 /// \param components #V, the number of the connected component of each vertex, from 0 on.

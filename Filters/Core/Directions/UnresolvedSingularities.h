@@ -13,10 +13,12 @@ namespace dmg
 /// field rotates by 2 pi k / (N n) across each edge. Where that is more than pi / N, thus n < 2 k, the nearest direction across the
 /// edge is another one: the vertex then reads as a singularity of the opposite sign, and the ring around it has the rest.
 ///
-/// A vertex is listed where its index, or those of its triangles, has another sign than the sum with the ring's, k / N, and n < 2 k. Pairs
-/// of opposite singularities, as noise and coarse surfaces have them, are not.
-/// \param indices FieldTopology::Indices, per vertex or per face. Of indices per face, the ring is the triangles across the edges of the
-///   vertex's triangles.
+/// Directions at vertices that are brought to the faces read as singularities over several rings.
+///
+/// A vertex is listed where its index, or those of its triangles, has another sign than the sum k / N with the singular vertices that it is
+/// connected to by steps of at most two edges, or with the triangles across the edges of its own, and n < 2 k. Pairs of opposite singularities, as noise
+/// and coarse surfaces have them, are not.
+/// \param indices FieldTopology::Indices, per vertex or per face.
 /// \param areAtVertices whether they are per vertex.
 /// \return the vertices, ascending. Cost: linear.
 std::vector<int> UnresolvedSingularities(

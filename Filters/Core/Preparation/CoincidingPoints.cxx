@@ -15,19 +15,24 @@ namespace dmg
 namespace
 {
 
-/// A grid over space whose cells have a number each. Coordinates reach to 2^19 cells from the origin.
+/// A grid over space whose cells have a number each. Coordinates reach to 2^19 cells from its origin.
 class Cells
 {
 public:
-  explicit Cells(double size)
-    : Size(size)
+  Cells(const Vector3& origin, double size)
+    : Origin(origin)
+    , Size(size)
   {
   }
 
-  std::int64_t Along(double x) const { return static_cast<std::int64_t>(std::floor(x / this->Size)) + (1 << 20); }
+  std::int64_t Along(int axis, double x) const
+  {
+    return static_cast<std::int64_t>(std::floor((x - this->Origin[axis]) / this->Size)) + (1 << 20);
+  }
   static std::int64_t Number(std::int64_t x, std::int64_t y, std::int64_t z) { return (x << 42) | (y << 21) | z; }
 
 private:
+  const Vector3 Origin;
   const double Size;
 };
 
@@ -40,14 +45,15 @@ public:
     : Positions(positions)
     , Boundary(points)
     , Distance(distance)
-    , Grid(8.0 * distance)
+    , Grid(positions.row(points.front().Point).transpose(), 8.0 * distance)
   {
     this->Sorted.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const auto& p = positions.row(points[i].Point);
       this->Sorted.emplace_back(
-        Cells::Number(this->Grid.Along(p[0]), this->Grid.Along(p[1]), this->Grid.Along(p[2])), static_cast<int>(i));
+        Cells::Number(this->Grid.Along(0, p[0]), this->Grid.Along(1, p[1]), this->Grid.Along(2, p[2])),
+        static_cast<int>(i));
     }
     std::sort(this->Sorted.begin(), this->Sorted.end());
   }
@@ -60,7 +66,8 @@ public:
     std::array<std::array<std::int64_t, 2>, 3> range;
     for (int axis = 0; axis < 3; ++axis)
     {
-      range[axis] = { this->Grid.Along(p[axis] - this->Distance), this->Grid.Along(p[axis] + this->Distance) };
+      range[axis] = { this->Grid.Along(axis, p[axis] - this->Distance),
+        this->Grid.Along(axis, p[axis] + this->Distance) };
     }
     for (std::int64_t x = range[0][0]; x <= range[0][1]; ++x)
     {
@@ -106,7 +113,18 @@ private:
 double RoundingOf(const Points& positions)
 {
   constexpr double Ulps = 16.0 / (1 << 23);
-  return positions.rows() > 0 ? Ulps * positions.cwiseAbs().maxCoeff() : 0.0;
+  constexpr double DoubleOverSingle = 1.0 / (1 << 29);
+  if (positions.rows() == 0)
+  {
+    return 0.0;
+  }
+  const double largest = positions.cwiseAbs().maxCoeff();
+  if (positions.cast<float>().cast<double>() == positions)
+  {
+    return Ulps * largest;
+  }
+  const double extent = (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
+  return Ulps * std::max(std::min(extent, largest), DoubleOverSingle * largest);
 }
 
 bool UniteNear(
@@ -170,7 +188,7 @@ std::vector<BoundaryPoint> UniteEqual(
 bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets)
 {
   const double rounding = RoundingOf(positions);
-  if (!(rounding > 0.0) || !std::isfinite(rounding))
+  if (!(rounding > 0.0) || !std::isfinite(rounding) || points.empty())
   {
     return false;
   }

@@ -13,7 +13,9 @@ namespace dmg
 /// Points coincide that are nearer to each other than this part of the edges there, and than RoundingOf.
 constexpr double PartOfEdge = 0.01;
 
-/// The distance that single precision does not tell from none: 16 * 2^-23 of the largest coordinate.
+/// The distance that the precision of the coordinates does not tell from none. Coordinates that are all of single precision: 16 * 2^-23 of the
+/// largest one. Others, as those of a national grid: the same part of the extent of all points, as the surface would have in single precision
+/// around the origin.
 double RoundingOf(const Points& positions);
 
 /// A point on a boundary, and the size of the triangles there.

@@ -45,6 +45,20 @@ TEST(UnresolvedSingularities, AreThePolesWithTooFewTriangles)
   }
 }
 
+// A pole of index 2 whose directions stood at the vertices: one of -1 at the pole, two of +1 around it, and two of +1/2 two rings farther on.
+TEST(UnresolvedSingularities, MayReachOverSeveralRings)
+{
+  const TriangleMesh mesh = PlaneGrid(8, 8).Mesh();
+  constexpr int Middle = 40;
+  Vector<double> indices = Vector<double>::Zero(mesh.NumberOfVertices());
+  indices[Middle] = -1.0;
+  indices[Middle - 1] = indices[Middle + 1] = 1.0;
+  indices[Middle - 3] = indices[Middle + 3] = 0.5;
+  EXPECT_EQ(UnresolvedSingularities(mesh, indices, 2, true), std::vector<int>{ Middle });
+  indices[Middle + 3] = 0.0; // a sum of 3 / 2 has six triangles for its three halves
+  EXPECT_TRUE(UnresolvedSingularities(mesh, indices, 2, true).empty());
+}
+
 TEST(UnresolvedSingularities, AreNoPairsOfNeighbours)
 {
   const TriangleMesh mesh = PlaneGrid(4, 4).Mesh();

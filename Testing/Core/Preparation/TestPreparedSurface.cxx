@@ -167,6 +167,28 @@ TEST(PreparedSurface, KeepsGapsAndThinWalls)
   EXPECT_EQ(joined.Report.PointsJoined, 5);
 }
 
+// Metres of a national grid, in double precision, tell a slit of a millimetre; in single precision they round by half a metre.
+TEST(PreparedSurface, ClosesGapsByThePrecisionThatCoordinatesHave)
+{
+  for (const double gap : { 1e-2, 1e-3, 1e-4 })
+  {
+    Surface far = Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(4.0 + gap, 0.0, 0.0));
+    far.V.rowwise() += Eigen::RowVector3d(5e5, 4.6e6, 0.0);
+    EXPECT_EQ(NumberOfComponents(Prepared(far).Mesh), 2) << gap;
+  }
+  for (const double rounding : { 0.0, 1e-9, 1e-6 })
+  {
+    Surface far = Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(4.0 + rounding, 0.0, 0.0));
+    far.V.rowwise() += Eigen::RowVector3d(5e5 + 0.1, 4.6e6, 0.0);
+    EXPECT_EQ(Prepared(far).Report.PointsJoined, 5) << rounding;
+  }
+  Surface single = Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(4.0, 0.0, 0.0));
+  single.V = (100.0 * single.V).eval();
+  single.V.rowwise() += Eigen::RowVector3d(5e5, 4.6e6, 0.0);
+  single.V.row(25) += Eigen::RowVector3d(0.0, 0.5, 0.0); // the next number in single precision
+  EXPECT_EQ(Prepared(single).Report.PointsJoined, 5);
+}
+
 // A plane from 0 to 100 whose cells have heights from 1e-6 on, as those along a wall in a flow: single precision does not tell
 // the first 30 rows from each other, but they are rows.
 TEST(PreparedSurface, KeepsLayersThatAreThinnerThanRounding)
