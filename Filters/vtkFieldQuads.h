@@ -117,7 +117,7 @@ public:
   {
     NoSymmetry = 0,
     /**
-     * About the plane that fits best, where the surface is its own mirror image about it to a hundredth of the diagonal of its box.
+     * About the plane that fits best, where the surface is its own mirror image about it to a fiftieth of the diagonal of its box.
      */
     Automatic = 1,
     /**

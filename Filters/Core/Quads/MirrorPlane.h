@@ -19,7 +19,7 @@ struct MirrorPlane
 };
 
 /// A surface that is off its mirror image by a larger part of the diagonal of its box is not symmetric.
-constexpr double LargestAsymmetry = 0.01;
+constexpr double LargestAsymmetry = 0.02;
 
 /// The largest distance of the mirrored vertices from the surface, relative to the diagonal of the box around it.
 /// \param places of the surface. Cost: a search for each of at most 5,000 vertices, which are spread over their numbers.
