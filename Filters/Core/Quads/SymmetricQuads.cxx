@@ -78,34 +78,10 @@ public:
 
   std::shared_ptr<const FinerSurface> Result(const ExecutionContext& context) const
   {
-    Points points(static_cast<int>(this->Positions.size()), 3);
-    for (int vertex = 0; vertex < points.rows(); ++vertex)
-    {
-      points.row(vertex) = this->Positions[vertex].transpose();
-    }
-    Triangles triangles(static_cast<int>(this->Parts.size()), 3);
-    std::vector<int> parents;
-    std::vector<Eigen::Matrix3d> corners;
-    for (int face = 0; face < triangles.rows(); ++face)
-    {
-      const Part& part = this->Parts[face];
-      triangles.row(face) << part.Vertices[0], part.Vertices[1], part.Vertices[2];
-      parents.push_back(part.Parent);
-      corners.push_back(part.Corners);
-    }
-    return std::make_shared<FinerSurface>(
-      FinerSurface{ FramedMesh(TriangleMesh(std::move(points), std::move(triangles), {}, context), context),
-        std::move(parents), std::move(corners), this->NearVertices });
+    return SurfaceOfParts(this->Positions, this->NearVertices, this->Parts, context);
   }
 
 private:
-  struct Part
-  {
-    std::array<int, 3> Vertices;
-    int Parent;
-    Eigen::Matrix3d Corners;
-  };
-
   /// A corner of the part of a face.
   struct Corner
   {
@@ -164,7 +140,7 @@ private:
     }
     const auto add = [&](int a, int b, int c)
     {
-      Part part{ { corners[a].Vertex, corners[b].Vertex, corners[c].Vertex }, face, {} };
+      PartOfFace part{ { corners[a].Vertex, corners[b].Vertex, corners[c].Vertex }, face, {} };
       part.Corners << corners[a].Weights, corners[b].Weights, corners[c].Weights;
       this->Parts.push_back(part);
     };
@@ -188,7 +164,7 @@ private:
   std::vector<int> NumbersOfVertices, NumbersOfEdges; ///< of the half, -1 before there is one
   std::vector<Vector3> Positions;
   std::vector<int> NearVertices;
-  std::vector<Part> Parts;
+  std::vector<PartOfFace> Parts;
 };
 
 QuadOptions OptionsOfHalf(const QuadOptions& options, const FinerSurface& half)

@@ -47,9 +47,9 @@ public:
       this->Longest *= Longer;
       more = this->FindLongEdges();
     }
-    std::vector<Part> parts;
+    std::vector<PartOfFace> parts;
     parts.reserve(this->Faces.size() + more);
-    for (const Part& face : this->Faces)
+    for (const PartOfFace& face : this->Faces)
     {
       this->Divide(face, parts);
     }
@@ -59,24 +59,7 @@ public:
 
   std::shared_ptr<const FinerSurface> Result(const ExecutionContext& context) const
   {
-    Points points(static_cast<int>(this->Positions.size()), 3);
-    for (int vertex = 0; vertex < points.rows(); ++vertex)
-    {
-      points.row(vertex) = this->Positions[vertex].transpose();
-    }
-    Triangles triangles(static_cast<int>(this->Faces.size()), 3);
-    std::vector<int> parents;
-    std::vector<Eigen::Matrix3d> corners;
-    for (int face = 0; face < triangles.rows(); ++face)
-    {
-      const Part& part = this->Faces[face];
-      triangles.row(face) << part.Vertices[0], part.Vertices[1], part.Vertices[2];
-      parents.push_back(part.Parent);
-      corners.push_back(part.Corners);
-    }
-    return std::make_shared<FinerSurface>(
-      FinerSurface{ FramedMesh(TriangleMesh(std::move(points), std::move(triangles), {}, context), context),
-        std::move(parents), std::move(corners), this->NearVertices });
+    return SurfaceOfParts(this->Positions, this->NearVertices, this->Faces, context);
   }
 
 private:
@@ -88,14 +71,6 @@ private:
       other == TriangleMesh::FaceOf(mesh.Twin(3 * face + 2));
   }
 
-  /// A part of a face.
-  struct Part
-  {
-    std::array<int, 3> Vertices;
-    int Parent;
-    Eigen::Matrix3d Corners; ///< as FinerSurface::Corners
-  };
-
   static std::uint64_t KeyOf(int a, int b)
   {
     const auto [smaller, larger] = std::minmax(a, b);
@@ -106,7 +81,7 @@ private:
   std::size_t FindLongEdges()
   {
     this->Middles.clear();
-    for (const Part& face : this->Faces)
+    for (const PartOfFace& face : this->Faces)
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -118,7 +93,7 @@ private:
       }
     }
     std::size_t sides = 0;
-    for (const Part& face : this->Faces)
+    for (const PartOfFace& face : this->Faces)
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -141,7 +116,7 @@ private:
     return found == this->Middles.end() ? -1 : found->second;
   }
 
-  void Divide(const Part& face, std::vector<Part>& parts)
+  void Divide(const PartOfFace& face, std::vector<PartOfFace>& parts)
   {
     // Points 0 to 2 are the corners, 3 to 5 the middles of the sides after them.
     std::array<int, 6> points{};
@@ -163,7 +138,7 @@ private:
     const auto at = [first](int k) { return k < 3 ? (k + first) % 3 : 3 + (k + first) % 3; };
     const auto add = [&](int a, int b, int c)
     {
-      Part part{ { points[at(a)], points[at(b)], points[at(c)] }, face.Parent, {} };
+      PartOfFace part{ { points[at(a)], points[at(b)], points[at(c)] }, face.Parent, {} };
       part.Corners << places[at(a)], places[at(b)], places[at(c)];
       parts.push_back(part);
     };
@@ -196,7 +171,7 @@ private:
 
   std::vector<Vector3> Positions;
   std::vector<int> NearVertices;
-  std::vector<Part> Faces;
+  std::vector<PartOfFace> Faces;
   Vector<double> Longest;
   const double MostFaces;
   std::unordered_map<std::uint64_t, int> Middles; ///< of long edges, -1 before there is one
@@ -262,6 +237,29 @@ ElementNames FinerSurface::NamesOf(const ElementNames& names) const
     finer.Faces.push_back(names.Faces.empty() ? parent : names.Faces[parent]);
   }
   return finer;
+}
+
+std::shared_ptr<const FinerSurface> SurfaceOfParts(const std::vector<Vector3>& positions, std::vector<int> nearVertices,
+  const std::vector<PartOfFace>& parts, const ExecutionContext& context)
+{
+  Points points(static_cast<int>(positions.size()), 3);
+  for (int vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    points.row(vertex) = positions[vertex].transpose();
+  }
+  Triangles triangles(static_cast<int>(parts.size()), 3);
+  std::vector<int> parents;
+  std::vector<Eigen::Matrix3d> corners;
+  for (int face = 0; face < triangles.rows(); ++face)
+  {
+    const PartOfFace& part = parts[face];
+    triangles.row(face) << part.Vertices[0], part.Vertices[1], part.Vertices[2];
+    parents.push_back(part.Parent);
+    corners.push_back(part.Corners);
+  }
+  return std::make_shared<FinerSurface>(
+    FinerSurface{ FramedMesh(TriangleMesh(std::move(points), std::move(triangles), {}, context), context),
+      std::move(parents), std::move(corners), std::move(nearVertices) });
 }
 
 std::shared_ptr<const FinerSurface> HalveLongEdges(

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,20 @@ struct FinerSurface
   /// The names of the elements that these are parts of, or near to.
   ElementNames NamesOf(const ElementNames& names) const;
 };
+
+/// A part of a face of a surface.
+struct PartOfFace
+{
+  std::array<int, 3> Vertices;
+  int Parent;
+  Eigen::Matrix3d Corners; ///< as FinerSurface::Corners
+};
+
+/// The surface of some parts.
+/// \param positions of its vertices. \param nearVertices as FinerSurface::NearVertices.
+/// \throw InvalidInput the parts are no manifold.
+std::shared_ptr<const FinerSurface> SurfaceOfParts(const std::vector<Vector3>& positions, std::vector<int> nearVertices,
+  const std::vector<PartOfFace>& parts, const ExecutionContext& context);
 
 /// Halves edges that are longer than wanted until there are none. A triangle with one long edge becomes two, one with two becomes three, one with
 /// three becomes four.
