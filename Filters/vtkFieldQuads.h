@@ -113,7 +113,7 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
-  enum Symmetries
+  enum SymmetryKinds
   {
     NoSymmetry = 0,
     /**

@@ -37,7 +37,7 @@
  * | PointId             | points | 1          | id     | number of the point in the input; of fields at points CellId, that of the cell |
  * | NumberOfAxes        | points | 1          | int    | n = N (1 - Index), without its sign                |
  * | Axis0, Axis1, ...   | points | 3          | double | unit vectors in which the field is radial, n of them, then zeros |
- * | SpiralAngle         | points | 1          | double | of index 1: degrees from the radius to the field, 0 an aster, 90 a vortex; else 0 |
+ * | SpiralAngle         | points | 1          | double | of index 1: degrees from the radius to the field, 0 an aster, 90 a vortex; else, and where no direction is near, 0 |
  * | SumOfIndices        | field  | 1          | double | of all points and all boundary loops               |
  * | EulerCharacteristic | field  | 1          | int    | of the surface, which is the same                  |
  *

@@ -145,7 +145,7 @@ void AddShapes(const std::vector<ShapeOfSingularity>& shapes, vtkPolyData* outpu
   {
     most = std::max(most, shape.Axes.size());
     numbers.push_back(static_cast<int>(shape.Axes.size()));
-    angles.push_back(shape.Axes.empty() ? 180.0 / Pi * shape.SpiralAngle : 0.0);
+    angles.push_back(std::isnan(shape.SpiralAngle) ? 0.0 : 180.0 / Pi * shape.SpiralAngle);
   }
   AddToPoints<vtkIntArray>(output, "NumberOfAxes", numbers);
   for (std::size_t k = 0; k < most; ++k)

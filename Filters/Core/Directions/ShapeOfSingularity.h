@@ -25,7 +25,7 @@ struct ShapeOfSingularity
   /// +1/2 of a nematic has one, the tail of the comet (along the divergence of Q), and one of -1/2 has three.
   std::vector<Vector3> Axes;
   /// The angle from the radius to the field where the index is 1, in (-pi / N, pi / N], counter-clockwise: 0 an aster, pi / 2 a vortex, others
-  /// spirals. NaN of other indices.
+  /// spirals. NaN of other indices, and where no face around has a direction.
   double SpiralAngle;
 };
 
