@@ -61,7 +61,7 @@ struct QuadReport
   int LeastCovered = -1;     ///< a face of the component of the smallest share
   double AskedRatio = 1.0;   ///< of the largest to the smallest of the lengths of edges that QuadOptions::Sizes give
   double ReachedRatio = 1.0; ///< AskedRatio to the power by which the lengths of edges follow those on the mean
-  /// Where symmetry was asked for, the largest distance of the surface from its mirror image, relative to its diagonal; else 0.
+  /// The largest distance of the surface from its mirror image, relative to its diagonal; 0 where nobody asked for symmetry.
   double Asymmetry = 0.0;
   bool IsSymmetric = false; ///< whether the mesh is its own mirror image about Mirror
   MirrorPlane Mirror = {};
