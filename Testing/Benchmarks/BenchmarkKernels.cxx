@@ -22,7 +22,7 @@
 #include "Solvers/LeastSquares/BlockSmoother.h"
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 #include "Solvers/Multigrid/GalerkinHierarchy.h"
-#include "Solvers/Multigrid/ScaledHierarchy.h"
+#include "Solvers/Multigrid/LevelStack.h"
 #include "Solvers/Multigrid/Smoother.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
@@ -196,12 +196,11 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower, const std::vector<Sp
   KernelsTable& table, const ExecutionContext& context)
 {
   GalerkinHierarchy<Scalar> hierarchy(SymmetricFromLower(lower, context), coarser, GalerkinOptions(), context);
-  using Scaled = ScaledHierarchy<Scalar, Value>;
-  Scaled scaled(hierarchy, Scaled::Content::MatricesForSweeps, context);
-  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
+  LevelStack<Scalar, Value> levels(hierarchy, SweepsOfLevels(), 1, context);
+  for (int l = 0; l + 1 < levels.NumberOfLevels(); ++l)
   {
-    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels());
-    MeasureSweeps(scaled[l].A, *smoother, l + 1, runs, table, context);
+    const auto smoother = Smoother<Value>::New(levels[l].A, SweepsOfLevels());
+    MeasureSweeps(levels[l].A, *smoother, l + 1, runs, table, context);
   }
 }
 

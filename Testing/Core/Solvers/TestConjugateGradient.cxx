@@ -1,7 +1,7 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 
 #include "Solvers/Direct/CholeskySolver.h"
-#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
 #include "Support/MatrixOperator.h"
@@ -65,18 +65,16 @@ struct CyclePreconditioned
 {
   CyclePreconditioned(int depth, int levels, CyclePrecision precision = CyclePrecision::Single)
     : Problem(test::MakeGridProblem<Scalar>(depth, levels))
-    , Hierarchy(this->Problem.A, this->Problem.P, {}, SerialContext())
-    , Cycle(this->Hierarchy, WithPrecision(precision), SerialContext())
+    , Cycle(SparseMatrix<Scalar>(this->Problem.A), this->Problem.P, {}, WithPrecision(precision), SerialContext())
   {
   }
 
   const SparseMatrix<Scalar>& A() const { return this->Problem.A; }
   test::MatrixOperator<Scalar> Operator() const { return test::MatrixOperator<Scalar>(this->Problem.A); }
-  int Size() const { return this->Hierarchy.NumberOfUnknowns(0); }
+  int Size() const { return static_cast<int>(this->Problem.A.rows()); }
 
   const test::GridProblem<Scalar> Problem;
-  GalerkinHierarchy<Scalar> Hierarchy;
-  MultigridCycle<Scalar> Cycle;
+  GalerkinCycle<Scalar> Cycle;
 };
 
 template <class Scalar>

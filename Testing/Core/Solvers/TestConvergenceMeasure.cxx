@@ -3,7 +3,7 @@
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/StationaryIteration.h"
-#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
 #include "Support/MatrixOperator.h"
@@ -87,8 +87,7 @@ TYPED_TEST(AnyConvergenceMeasure, WatchesIterations)
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const SparseMatrix<TypeParam>& A = problem.A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3406);
-  GalerkinHierarchy<TypeParam> hierarchy(A, problem.P, {}, SerialContext());
-  MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
+  GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {}, {}, SerialContext());
   ConvergenceMeasure<TypeParam> measure;
   measure.EnergyConstant = 3.0;
   const Vector<double> mass = PositiveMass(static_cast<int>(A.rows()));
@@ -133,8 +132,7 @@ TYPED_TEST(AnyConvergenceMeasure, WatchesIterations)
 TYPED_TEST(AnyConvergenceMeasure, SizesAreChecked)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
+  GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {}, {}, SerialContext());
   ConvergenceMeasure<TypeParam> measure;
   const Vector<double> mass = Vector<double>::Ones(3);
   measure.Mass = &mass;

@@ -1,7 +1,7 @@
 #include "Solvers/Krylov/StationaryIteration.h"
 
 #include "Solvers/Direct/CholeskySolver.h"
-#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Support/Errors.h"
 #include "Support/GridProblem.h"
 #include "Support/MatrixOperator.h"
@@ -41,7 +41,6 @@ TYPED_TEST_SUITE(AnyStationaryIteration, Scalars);
 TYPED_TEST(AnyStationaryIteration, CyclesAgreeWithCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const SparseMatrix<TypeParam>& A = problem.A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3201);
   Vector<TypeParam> expected;
@@ -50,7 +49,7 @@ TYPED_TEST(AnyStationaryIteration, CyclesAgreeWithCholesky)
   {
     CycleOptions options;
     options.Smoothing.PostSweeps = postSweeps;
-    MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
+    GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, SerialContext());
     SolveReport report;
     Vector<TypeParam> x;
     StationaryIteration(test::MatrixOperator(A), cycle, b, { 1e-12, 100 }, x, report, SerialContext());
@@ -101,8 +100,7 @@ TYPED_TEST(AnyStationaryIteration, DivergenceLeavesTheBestVector)
 TYPED_TEST(AnyStationaryIteration, EndsAtItsLimitAtZeroAndWhenAsked)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
+  GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {}, {}, SerialContext());
   const SparseMatrix<TypeParam>& A = problem.A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3203);
   SolveReport report;

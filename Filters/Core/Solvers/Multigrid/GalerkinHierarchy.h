@@ -78,6 +78,7 @@ public:
   /// ones on the diagonal, and all diagonal entries are lifted by 1e-12 so that a semi-definite
   /// matrix has a factor, too.
   CholeskySolver<Scalar>& CoarsestSolver() { return *this->CoarsestFactor; }
+  const CholeskySolver<Scalar>& CoarsestSolver() const { return *this->CoarsestFactor; }
 
   /// Unknowns and non-zeros of each A_l.
   const std::vector<LevelReport>& Levels() const { return this->Reports; }

@@ -1,14 +1,13 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 
 #include "Solvers/Krylov/ConjugateGradient.h"
-#include "Solvers/Multigrid/VCycle.h"
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <string>
 
 namespace dmg
@@ -54,10 +53,8 @@ template <class Scalar>
 class LevelCycle : public Preconditioner<Scalar>
 {
 public:
-  LevelCycle(
-    ScaledHierarchy<Scalar, Scalar>& levels, const std::vector<std::unique_ptr<Smoother<Scalar>>>& smoothers, int level)
+  LevelCycle(LevelStack<Scalar, Scalar>& levels, int level)
     : Levels(levels)
-    , Smoothers(smoothers)
     , Level(level)
   {
   }
@@ -65,13 +62,12 @@ public:
   void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
   {
     this->Levels[this->Level].b = r;
-    VCycle(this->Levels, this->Smoothers, this->Level, context);
+    this->Levels.Cycle(this->Level, context);
     z = this->Levels[this->Level].x;
   }
 
 private:
-  ScaledHierarchy<Scalar, Scalar>& Levels;
-  const std::vector<std::unique_ptr<Smoother<Scalar>>>& Smoothers;
+  LevelStack<Scalar, Scalar>& Levels;
   const int Level;
 };
 
@@ -119,10 +115,10 @@ public:
   {
     if (this->Options.Cycles > 0)
     {
-      auto& levelOf = this->Nested.Scaled[level];
+      auto& levelOf = this->Nested.Stack[level];
       const Vector<Scalar> rightHandSide = levelOf.b;
       Vector<Scalar> solution = levelOf.x;
-      LevelCycle<Scalar> cycle(this->Nested.Scaled, this->Nested.Smoothers, level);
+      LevelCycle<Scalar> cycle(this->Nested.Stack, level);
       SolveReport ofLevel;
       ConjugateGradient<Scalar>(LevelOperator<Scalar>(levelOf.A), cycle, rightHandSide,
         { std::numeric_limits<double>::epsilon(), this->Options.Cycles }, solution, ofLevel,
@@ -135,14 +131,13 @@ public:
   /// \return the number of sweeps.
   int Sweep(int level)
   {
-    auto& levelOf = this->Nested.Scaled[level];
     const PartOfContext context = this->PartOf(level, this->Options.Cycles > 0 ? 0.5 : 0.0, 1.0);
     const bool isCompared = this->Measure && this->Measure->LeastImprovement > 0.0;
     double former = isCompared ? this->Error(level) : 0.0;
     for (int sweep = 1; sweep <= this->Options.Sweeps; ++sweep)
     {
       context.Checkpoint((sweep - 1.0) / this->Options.Sweeps);
-      this->Nested.Smoothers[level]->PostSmooth(levelOf.b, levelOf.x, this->Context);
+      this->Nested.Stack.Sweep(level, this->Context);
       if (level == 0)
       {
         this->Observe(level);
@@ -162,7 +157,7 @@ public:
 
   void End()
   {
-    this->Nested.Scaled.Store(this->x, this->Context);
+    this->Nested.Stack.Store(this->x, this->Context);
     const double seconds = this->SecondsAt(Clock::now());
     if (!this->Measure)
     {
@@ -200,7 +195,7 @@ private:
   /// A share of the progress of this level.
   PartOfContext PartOf(int level, double begin, double end) const
   {
-    const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
+    const int coarsest = this->Nested.Stack.NumberOfLevels() - 1;
     const double done = coarsest - level - 1.0;
     return PartOfContext(this->Context, (done + begin) / coarsest, (done + end) / coarsest);
   }
@@ -218,8 +213,8 @@ private:
   /// Iterates of finer levels are free until the iterations get there.
   void BringToFinest(int level)
   {
-    this->Nested.Scaled.ProlongToFinest(level, this->Context);
-    this->Nested.Scaled.Store(this->x, this->Context);
+    this->Nested.Stack.ProlongToFinest(level, this->Context);
+    this->Nested.Stack.Store(this->x, this->Context);
   }
 
   /// \pre x holds the iterate of this level.
@@ -262,20 +257,11 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
   : A(&matrix)
   , MaySweep(options.MaySweep)
   , Hierarchy(matrix, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
-  , Scaled(this->Hierarchy,
-      options.MaySweep ? ScaledHierarchy<Scalar, Scalar>::Content::MatricesForSweeps
-                       : ScaledHierarchy<Scalar, Scalar>::Content::Transfers,
+  , Stack(this->Hierarchy, options.MaySweep ? std::optional(SmootherOptions{ 1, 1 }) : std::nullopt, 1,
       PartOfContext(context, 0.7, 1.0))
 {
   this->Hierarchy.ForgetMatrices();
   this->Hierarchy.ForgetProlongations();
-  SmootherOptions oneSweep;
-  oneSweep.PreSweeps = 1;
-  oneSweep.PostSweeps = 1;
-  for (int level = 0; this->MaySweep && level + 1 < this->Scaled.NumberOfLevels(); ++level)
-  {
-    this->Smoothers.push_back(Smoother<Scalar>::New(this->Scaled[level].A, oneSweep));
-  }
 }
 
 template <class Scalar>
@@ -283,20 +269,20 @@ std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b, const S
   SolveReport& report, const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
   Run run(*this, b, sweeps, x, report, context, measure);
-  const int coarsest = this->Scaled.NumberOfLevels() - 1;
+  const int coarsest = this->Stack.NumberOfLevels() - 1;
   context.Checkpoint(0.0);
-  this->Scaled.Load(b, context);
+  this->Stack.Load(b, context);
   for (int level = 0; level < coarsest; ++level)
   {
-    this->Scaled.Restrict(level, this->Scaled[level].b, context);
+    this->Stack.Restrict(level, this->Stack[level].b, context);
   }
-  this->Scaled.SolveCoarsest();
+  this->Stack.SolveCoarsest();
   run.Observe(coarsest);
 
   std::vector<int> numbers(coarsest + 1, 0);
   for (int level = coarsest; level-- > 0;)
   {
-    this->Scaled.Prolong(level, context);
+    this->Stack.Prolong(level, context);
     if (this->MaySweep)
     {
       run.Cycle(level);

@@ -4,11 +4,10 @@
 #include "Solvers/Krylov/ConvergenceMeasure.h"
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Multigrid/GalerkinHierarchy.h"
-#include "Solvers/Multigrid/ScaledHierarchy.h"
+#include "Solvers/Multigrid/LevelStack.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
-#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -60,7 +59,7 @@ public:
   /// \throw as GalerkinHierarchy.
   NestedIteration(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const NestedOptions& options, const ExecutionContext& context);
-  NestedIteration(const NestedIteration&) = delete; // the levels refer to the hierarchy
+  NestedIteration(const NestedIteration&) = delete; // the stack refers to the hierarchy
   NestedIteration& operator=(const NestedIteration&) = delete;
 
   /// \param x on exit the solution, zero for inactive unknowns.
@@ -79,7 +78,7 @@ public:
   /// Unknowns and non-zeros, finest first.
   const std::vector<LevelReport>& Levels() const { return this->Hierarchy.Levels(); }
   /// Held by this object.
-  long long Bytes() const { return this->Hierarchy.Bytes() + this->Scaled.Bytes(); }
+  long long Bytes() const { return this->Hierarchy.Bytes() + this->Stack.Bytes(); }
 
 private:
   class Run;
@@ -87,8 +86,7 @@ private:
   const SparseMatrix<Scalar>* A;
   const bool MaySweep;
   GalerkinHierarchy<Scalar> Hierarchy;
-  ScaledHierarchy<Scalar, Scalar> Scaled;
-  std::vector<std::unique_ptr<Smoother<Scalar>>> Smoothers; ///< one sweep each
+  LevelStack<Scalar, Scalar> Stack;
 };
 
 }

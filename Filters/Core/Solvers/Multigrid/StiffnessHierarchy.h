@@ -5,7 +5,7 @@
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
 #include "Solvers/Krylov/SolveReport.h"
-#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/CycleOptions.h"
 #include "Solvers/Multigrid/NestedIteration.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"

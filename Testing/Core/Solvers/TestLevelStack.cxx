@@ -1,4 +1,4 @@
-#include "Solvers/Multigrid/ScaledHierarchy.h"
+#include "Solvers/Multigrid/LevelStack.h"
 
 #include "Support/DenseAlgebra.h"
 #include "Support/GridProblem.h"
@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <utility>
 
 using namespace dmg;
@@ -15,14 +16,13 @@ namespace
 
 /// With scalars and values of these kinds.
 template <class ScalarAndValue>
-class AnyScaledHierarchy : public ::testing::Test
+class AnyLevelStack : public ::testing::Test
 {
 public:
   using Scalar = typename ScalarAndValue::first_type;
   using Value = typename ScalarAndValue::second_type;
   using Dense = test::Dense<Scalar>;
-  using Levels = ScaledHierarchy<Scalar, Value>;
-  using Content = typename Levels::Content;
+  using Levels = LevelStack<Scalar, Value>;
 
   static constexpr double Tolerance = sizeof(typename Eigen::NumTraits<Value>::Real) == sizeof(float) ? 1e-6 : 1e-12;
 
@@ -49,18 +49,17 @@ public:
 
 using Kinds = ::testing::Types<std::pair<double, float>, std::pair<double, double>, std::pair<Complex, Complex32>,
   std::pair<Complex, Complex>>;
-TYPED_TEST_SUITE(AnyScaledHierarchy, Kinds);
+TYPED_TEST_SUITE(AnyLevelStack, Kinds);
 
 }
 
 // Level l holds D^{1/2} x and D^{-1/2} b, D the diagonal of A_l. In the caller's order and without scales:
-TYPED_TEST(AnyScaledHierarchy, TransfersAreThoseOfTheHierarchy)
+TYPED_TEST(AnyLevelStack, TransfersAreThoseOfTheHierarchy)
 {
-  using Scaled = typename TestFixture::Levels;
   GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
-  for (const auto content : { TestFixture::Content::Transfers, TestFixture::Content::MatricesForSweeps })
+  for (const auto& sweeps : { std::optional<SmootherOptions>(), std::optional(SmootherOptions()) })
   {
-    Scaled levels(hierarchy, content, SerialContext());
+    typename TestFixture::Levels levels(hierarchy, sweeps, 1, SerialContext());
     ASSERT_EQ(levels.NumberOfLevels(), 3);
     levels.Load(this->b, SerialContext());
     levels.Restrict(0, levels[0].b, SerialContext());
@@ -89,10 +88,10 @@ TYPED_TEST(AnyScaledHierarchy, TransfersAreThoseOfTheHierarchy)
   }
 }
 
-TYPED_TEST(AnyScaledHierarchy, MatricesHaveUnitDiagonals)
+TYPED_TEST(AnyLevelStack, MatricesHaveUnitDiagonals)
 {
   GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, SmootherOptions(), 1, SerialContext());
   levels.Load(this->b, SerialContext());
   const auto& parts = levels[0].A;
   for (int i = 0; i < parts.Lower.rows(); ++i)
@@ -103,11 +102,11 @@ TYPED_TEST(AnyScaledHierarchy, MatricesHaveUnitDiagonals)
   this->ExpectNear(this->Stored(levels), inverse * (this->A * (inverse * this->b)));
 }
 
-TYPED_TEST(AnyScaledHierarchy, UpdateTakesOtherValues)
+TYPED_TEST(AnyLevelStack, UpdateTakesOtherValues)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, SmootherOptions(), 1, SerialContext());
   SparseMatrix<Scalar> other = this->Grid.A;
   for (int i = 0; i < other.rows(); i += 3)
   {
@@ -120,13 +119,13 @@ TYPED_TEST(AnyScaledHierarchy, UpdateTakesOtherValues)
   this->ExpectNear(this->Stored(levels), this->b.cwiseQuotient(other.diagonal()));
 }
 
-TYPED_TEST(AnyScaledHierarchy, InactiveUnknownsStayZero)
+TYPED_TEST(AnyLevelStack, InactiveUnknownsStayZero)
 {
   using Scalar = typename TestFixture::Scalar;
   SparseMatrix<Scalar> A = this->Grid.A;
   A.prune([](Eigen::Index i, Eigen::Index j, const Scalar&) { return i != 7 && j != 7; });
   GalerkinHierarchy<Scalar> hierarchy(A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, SmootherOptions(), 1, SerialContext());
   levels.Load(this->b, SerialContext());
   levels[0].x = levels[0].b;
   EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
@@ -135,13 +134,13 @@ TYPED_TEST(AnyScaledHierarchy, InactiveUnknownsStayZero)
   EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
 }
 
-TYPED_TEST(AnyScaledHierarchy, HasTheSameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyLevelStack, HasTheSameBitsForAnyNumberOfThreads)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
   const auto cycle = [&](const ExecutionContext& context)
   {
-    typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, context);
+    typename TestFixture::Levels levels(hierarchy, SmootherOptions(), 1, context);
     levels.Load(this->b, context);
     levels.Restrict(0, levels[0].b, context);
     levels[1].x = levels[1].b;

@@ -1,23 +1,26 @@
-#ifndef dmgScaledHierarchy_h
-#define dmgScaledHierarchy_h
+#ifndef dmgLevelStack_h
+#define dmgLevelStack_h
 
 #include "Solvers/Multigrid/GalerkinHierarchy.h"
 #include "Solvers/Multigrid/Smoother.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace dmg
 {
 
-/// The levels of a Galerkin hierarchy for smoothers: scaled to unit diagonal, in a SweepOrder, in numbers of type Value.
-/// Gauss-Seidel is invariant under the scaling, and single precision does not overflow.
+/// The levels of a Galerkin hierarchy as V-cycles run on them: matrices scaled to unit diagonal, in a SweepOrder, with their
+/// transfers and smoothers, in numbers of type Value. Gauss-Seidel is invariant under the scaling, and single precision does not
+/// overflow.
 ///
 /// With D the diagonal of A_l, a level's unknowns are D^{1/2} x and its right-hand sides D^{-1/2} b.
 /// Inactive unknowns have empty rows and columns everywhere.
 ///
 /// Each level has a right-hand side b and an iterate x for its users to work with.
 template <class Scalar, class Value>
-class ScaledHierarchy
+class LevelStack
 {
   using Real = typename Eigen::NumTraits<Value>::Real;
 
@@ -29,20 +32,18 @@ public:
     Vector<Value> x;
 
   private:
-    friend class ScaledHierarchy;
+    friend class LevelStack;
     std::vector<int> Order; ///< [k] is the unknown of the hierarchy at place k
     SparseMatrix<Value> P;  ///< from the next coarser level to this
     SparseMatrix<Value> R;  ///< P^H
   };
 
-  enum class Content
-  {
-    Transfers,         ///< P and R only
-    MatricesForSweeps, ///< also A, in an order of each level's own
-  };
-
   /// \param hierarchy must outlive this object; its matrices may be forgotten.
-  ScaledHierarchy(GalerkinHierarchy<Scalar>& hierarchy, Content content, const ExecutionContext& context);
+  /// \param sweeps on each level, and \p finestFactor times as many on level 0; none: transfers alone, without matrices.
+  LevelStack(GalerkinHierarchy<Scalar>& hierarchy, const std::optional<SmootherOptions>& sweeps, int finestFactor,
+    const ExecutionContext& context);
+  LevelStack(const LevelStack&) = delete; // smoothers refer to matrices
+  LevelStack& operator=(const LevelStack&) = delete;
 
   /// After an Update of the hierarchy. Orders are kept.
   void Update(const ExecutionContext& context);
@@ -65,18 +66,26 @@ public:
   void ProlongToFinest(int level, const ExecutionContext& context);
   /// x = A^-1 b on the coarsest level, by the hierarchy's factor.
   void SolveCoarsest();
+  /// Sweeps of A x = b on a level from its x, as they follow a coarse correction.
+  void Sweep(int level, const ExecutionContext& context);
+  /// One V-cycle from a level down: an approximate solution of A x = b, from x = 0. Right-hand sides of coarser levels are
+  /// overwritten.
+  void Cycle(int level, const ExecutionContext& context);
 
   /// Held by this object.
   long long Bytes() const;
 
 private:
   void LoadScaling(const Vector<double>& scale);
+  void MakeSmoothers();
 
   GalerkinHierarchy<Scalar>& Hierarchy;
-  const bool HasMatrices;
+  const std::optional<SmootherOptions> Sweeps;
+  const int FinestFactor;
   std::vector<Level> Levels;
-  std::vector<int> CallersOrder; ///< [k] is the caller's index of place k on the finest level
-  Vector<Real> FinestScale;      ///< D^{-1/2} by place
+  std::vector<std::unique_ptr<Smoother<Value>>> Smoothers; ///< none for the coarsest level
+  std::vector<int> CallersOrder;                           ///< [k] is the caller's index of place k on the finest level
+  Vector<Real> FinestScale;                                ///< D^{-1/2} by place
   Vector<Scalar> CoarsestRightHandSide;
   Vector<Scalar> CoarsestSolution;
 };

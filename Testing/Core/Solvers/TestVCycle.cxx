@@ -1,5 +1,5 @@
 #include "Solvers/Kernels/SweepOrder.h"
-#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/GalerkinCycle.h"
 
 #include "Support/DenseAlgebra.h"
 #include "Support/Errors.h"
@@ -35,22 +35,22 @@ CycleOptions Options(int preSweeps, int postSweeps, CyclePrecision precision)
 }
 
 template <class Scalar>
-class AnyMultigridCycle : public ::testing::Test
+class AnyVCycle : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(AnyMultigridCycle, Scalars);
+TYPED_TEST_SUITE(AnyVCycle, Scalars);
 
 }
 
-TYPED_TEST(AnyMultigridCycle, IsHermitianPositiveDefinite)
+TYPED_TEST(AnyVCycle, IsHermitianPositiveDefinite)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const Dense<TypeParam> A = Densified(problem.A);
   for (const int sweeps : { 1, 2, 3 })
   {
-    MultigridCycle<TypeParam> cycle(hierarchy, Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
+    GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {},
+      Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
     const Dense<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
     EXPECT_LE(Distance<TypeParam>(B, B.adjoint()), 50 * Epsilon * B.norm());
     EXPECT_GT(Eigenvalues(B).minCoeff(), 0.0);
@@ -64,10 +64,10 @@ TYPED_TEST(AnyMultigridCycle, IsHermitianPositiveDefinite)
   }
 }
 
-TYPED_TEST(AnyMultigridCycle, TwoGridsAreTheTextbooksFormula)
+TYPED_TEST(AnyVCycle, TwoGridsAreTheTextbooksFormula)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
+  const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const int size = hierarchy.NumberOfUnknowns(0);
   const Dense<TypeParam> A = Densified(problem.A);
   const Dense<TypeParam> P = Densified(problem.P[0]);
@@ -89,23 +89,23 @@ TYPED_TEST(AnyMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const Dense<TypeParam> identity = Dense<TypeParam>::Identity(size, size);
   const Dense<TypeParam> expected = Product<TypeParam>(identity - error, test::Inverse(A));
 
-  MultigridCycle<TypeParam> cycle(hierarchy, Options(1, 2, CyclePrecision::Double), SerialContext());
+  GalerkinCycle<TypeParam> cycle(
+    SparseMatrix<TypeParam>(problem.A), problem.P, {}, Options(1, 2, CyclePrecision::Double), SerialContext());
   const Dense<TypeParam> B = Densified(cycle, size);
   // The coarsest matrix is lifted by 1e-12 of its diagonal.
   EXPECT_LE(Distance(B, expected), 1e-10 * expected.norm());
 }
 
-TYPED_TEST(AnyMultigridCycle, RepetitionsAreChebyshevsIteration)
+TYPED_TEST(AnyVCycle, RepetitionsAreChebyshevsIteration)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const Dense<TypeParam> A = Densified(problem.A);
   const Dense<TypeParam> identity = Dense<TypeParam>::Identity(A.rows(), A.cols());
   const auto cycleOf = [&](int repetitions)
   {
     CycleOptions options = Options(1, 1, CyclePrecision::Double);
     options.Repetitions = repetitions;
-    MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
+    GalerkinCycle<TypeParam> cycle(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, SerialContext());
     return Densified(cycle, static_cast<int>(A.rows()));
   };
   // Chebyshev's polynomials take eigenvalues from 1/2 to 1 to [-1, 1], and zero to 3: T_2(3) = 17, T_3(3) = 99.
@@ -123,48 +123,46 @@ TYPED_TEST(AnyMultigridCycle, RepetitionsAreChebyshevsIteration)
   }
 }
 
-TYPED_TEST(AnyMultigridCycle, SinglePrecisionStaysAtItsRounding)
+TYPED_TEST(AnyVCycle, SinglePrecisionStaysAtItsRounding)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3001);
   for (const double scale : { 1.0, 1e-20, 1e20 })
   {
     Vector<TypeParam> single, exact;
-    MultigridCycle<TypeParam>(hierarchy, Options(2, 2, CyclePrecision::Single), SerialContext())
+    GalerkinCycle<TypeParam>(
+      SparseMatrix<TypeParam>(problem.A), problem.P, {}, Options(2, 2, CyclePrecision::Single), SerialContext())
       .Apply(scale * r, single, SerialContext());
-    MultigridCycle<TypeParam>(hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext())
+    GalerkinCycle<TypeParam>(
+      SparseMatrix<TypeParam>(problem.A), problem.P, {}, Options(2, 2, CyclePrecision::Double), SerialContext())
       .Apply(scale * r, exact, SerialContext());
     EXPECT_LE((single - exact).norm(), 10 * std::numeric_limits<float>::epsilon() * exact.norm());
     EXPECT_GT((single - exact).norm(), 0.0);
   }
 }
 
-TYPED_TEST(AnyMultigridCycle, OneLevelIsTheInverse)
+TYPED_TEST(AnyVCycle, OneLevelIsTheInverse)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 1);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, {}, SerialContext());
-  MultigridCycle<TypeParam> cycle(hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext());
+  GalerkinCycle<TypeParam> cycle(
+    SparseMatrix<TypeParam>(problem.A), {}, {}, Options(2, 2, CyclePrecision::Double), SerialContext());
   const auto x = test::RandomVector<TypeParam>(problem.A.rows(), 3002);
   Vector<TypeParam> z;
   cycle.Apply(problem.A * x, z, SerialContext());
   EXPECT_LE((z - x).norm(), 1e-10 * x.norm()); // lifted by 1e-12, condition about 100
 }
 
-TYPED_TEST(AnyMultigridCycle, UpdateHasTheBitsOfANewCycle)
+TYPED_TEST(AnyVCycle, UpdateHasTheBitsOfANewCycle)
 {
   auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const CycleOptions options = Options(2, 2, CyclePrecision::Single);
-  MultigridCycle<TypeParam> updated(hierarchy, options, SerialContext());
+  GalerkinCycle<TypeParam> updated(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, SerialContext());
   for (int i = 0; i < problem.A.rows(); i += 5)
   {
     problem.A.coeffRef(i, i) += 1.7;
   }
-  hierarchy.Update(problem.A, SerialContext());
-  updated.Update(SerialContext());
-  GalerkinHierarchy<TypeParam> freshHierarchy(problem.A, problem.P, {}, SerialContext());
-  MultigridCycle<TypeParam> fresh(freshHierarchy, options, SerialContext());
+  updated.Update(SparseMatrix<TypeParam>(problem.A), SerialContext());
+  GalerkinCycle<TypeParam> fresh(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3003);
   Vector<TypeParam> x, y;
   updated.Apply(r, x, SerialContext());
@@ -173,27 +171,27 @@ TYPED_TEST(AnyMultigridCycle, UpdateHasTheBitsOfANewCycle)
   EXPECT_EQ(updated.Bytes(), fresh.Bytes());
 }
 
-TYPED_TEST(AnyMultigridCycle, HasTheSameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyVCycle, HasTheSameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(8, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3004);
   const CycleOptions options = Options(2, 2, CyclePrecision::Single);
   Vector<TypeParam> expected;
-  MultigridCycle<TypeParam>(hierarchy, options, SerialContext()).Apply(r, expected, SerialContext());
+  GalerkinCycle<TypeParam>(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, SerialContext())
+    .Apply(r, expected, SerialContext());
   for (const int threads : { 1, 2, 3, 8 })
   {
     const test::TbbContext context(threads);
     Vector<TypeParam> z;
-    MultigridCycle<TypeParam>(hierarchy, options, context).Apply(r, z, context);
+    GalerkinCycle<TypeParam>(SparseMatrix<TypeParam>(problem.A), problem.P, {}, options, context).Apply(r, z, context);
     EXPECT_EQ(z, expected) << threads << " threads";
   }
 }
 
-TYPED_TEST(AnyMultigridCycle, NegativeSweepsAreRefused)
+TYPED_TEST(AnyVCycle, NegativeSweepsAreRefused)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(3, 2);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  EXPECT_THROW(
-    MultigridCycle<TypeParam>(hierarchy, Options(-1, 2, CyclePrecision::Single), SerialContext()), InvalidInput);
+  EXPECT_THROW(GalerkinCycle<TypeParam>(SparseMatrix<TypeParam>(problem.A), problem.P, {},
+                 Options(-1, 2, CyclePrecision::Single), SerialContext()),
+    InvalidInput);
 }

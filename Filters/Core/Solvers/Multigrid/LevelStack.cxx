@@ -1,4 +1,4 @@
-#include "Solvers/Multigrid/ScaledHierarchy.h"
+#include "Solvers/Multigrid/LevelStack.h"
 
 #include "Solvers/Kernels/ArrangedMatrix.h"
 #include "Solvers/Kernels/SweepOrder.h"
@@ -29,23 +29,23 @@ Vector<double> Scaling(const Vector<double>& diagonal)
 }
 
 template <class Scalar, class Value>
-ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
-  GalerkinHierarchy<Scalar>& hierarchy, Content content, const ExecutionContext& context)
+LevelStack<Scalar, Value>::LevelStack(GalerkinHierarchy<Scalar>& hierarchy,
+  const std::optional<SmootherOptions>& sweeps, int finestFactor, const ExecutionContext& context)
   : Hierarchy(hierarchy)
-  , HasMatrices(content != Content::Transfers)
+  , Sweeps(sweeps)
+  , FinestFactor(finestFactor)
   , Levels(hierarchy.NumberOfLevels())
 {
   const int coarsest = hierarchy.NumberOfLevels() - 1;
   context.Checkpoint(0.0);
   // Greedy colours come one after the other, but levels do not wait for each other.
   context.ParallelFor(0, coarsest + 1, 1,
-    [this, &hierarchy, content, coarsest](int first, int last)
+    [this, &hierarchy, coarsest](int first, int last)
     {
       for (int l = first; l < last; ++l)
       {
         const int size = hierarchy.NumberOfUnknowns(l);
-        SweepOrder order = l < coarsest && content == Content::MatricesForSweeps ? OrderForSweeps(hierarchy.Matrix(l))
-                                                                                 : SingleColour(size);
+        SweepOrder order = l < coarsest && this->Sweeps ? OrderForSweeps(hierarchy.Matrix(l)) : SingleColour(size);
         Level& level = this->Levels[l];
         level.A.Begins = std::move(order.Begins);
         level.A.ColoursOfTiles = std::move(order.ColoursOfTiles);
@@ -63,7 +63,7 @@ ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
+void LevelStack<Scalar, Value>::Update(const ExecutionContext& context)
 {
   const int coarsest = this->NumberOfLevels() - 1;
   std::vector<int> places = Inverse(this->Levels[0].Order);
@@ -77,7 +77,7 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
     std::vector<int> coarsePlaces = Inverse(this->Levels[l + 1].Order);
     Vector<double> coarseScale = Scaling(this->Hierarchy.Diagonal(l + 1));
 
-    if (this->HasMatrices)
+    if (this->Sweeps)
     {
       const SparseMatrix<Scalar>& A = this->Hierarchy.Matrix(l);
       TriangularParts<Value>& parts = level.A;
@@ -100,11 +100,24 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
     places = std::move(coarsePlaces);
     scale = std::move(coarseScale);
   }
+  this->MakeSmoothers();
   context.Checkpoint(1.0);
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::LoadScaling(const Vector<double>& scale)
+void LevelStack<Scalar, Value>::MakeSmoothers()
+{
+  this->Smoothers.clear();
+  for (int l = 0; this->Sweeps && l + 1 < this->NumberOfLevels(); ++l)
+  {
+    const int factor = l == 0 ? this->FinestFactor : 1;
+    const SmootherOptions sweeps = { factor * this->Sweeps->PreSweeps, factor * this->Sweeps->PostSweeps };
+    this->Smoothers.push_back(Smoother<Value>::New(this->Levels[l].A, sweeps));
+  }
+}
+
+template <class Scalar, class Value>
+void LevelStack<Scalar, Value>::LoadScaling(const Vector<double>& scale)
 {
   const std::vector<int>& order = this->Levels[0].Order;
   this->FinestScale.resize(scale.size());
@@ -115,7 +128,7 @@ void ScaledHierarchy<Scalar, Value>::LoadScaling(const Vector<double>& scale)
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Load(const Vector<Scalar>& b, const ExecutionContext& context)
+void LevelStack<Scalar, Value>::Load(const Vector<Scalar>& b, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
     [this, &b](int first, int last)
@@ -130,7 +143,7 @@ void ScaledHierarchy<Scalar, Value>::Load(const Vector<Scalar>& b, const Executi
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Store(Vector<Scalar>& x, const ExecutionContext& context) const
+void LevelStack<Scalar, Value>::Store(Vector<Scalar>& x, const ExecutionContext& context) const
 {
   x.resize(this->Levels[0].x.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
@@ -146,7 +159,7 @@ void ScaledHierarchy<Scalar, Value>::Store(Vector<Scalar>& x, const ExecutionCon
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Restrict(int level, const Vector<Value>& r, const ExecutionContext& context)
+void LevelStack<Scalar, Value>::Restrict(int level, const Vector<Value>& r, const ExecutionContext& context)
 {
   const SparseMatrix<Value>& R = this->Levels[level].R;
   Vector<Value>& b = this->Levels[level + 1].b;
@@ -161,14 +174,14 @@ void ScaledHierarchy<Scalar, Value>::Restrict(int level, const Vector<Value>& r,
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Prolong(int level, const ExecutionContext& context)
+void LevelStack<Scalar, Value>::Prolong(int level, const ExecutionContext& context)
 {
   this->Levels[level].x.setZero();
   this->Correct(level, context);
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Correct(int level, const ExecutionContext& context)
+void LevelStack<Scalar, Value>::Correct(int level, const ExecutionContext& context)
 {
   Level& fine = this->Levels[level];
   const Vector<Value>& coarse = this->Levels[level + 1].x;
@@ -183,7 +196,7 @@ void ScaledHierarchy<Scalar, Value>::Correct(int level, const ExecutionContext& 
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::ProlongToFinest(int level, const ExecutionContext& context)
+void LevelStack<Scalar, Value>::ProlongToFinest(int level, const ExecutionContext& context)
 {
   while (level-- > 0)
   {
@@ -192,7 +205,7 @@ void ScaledHierarchy<Scalar, Value>::ProlongToFinest(int level, const ExecutionC
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::SolveCoarsest()
+void LevelStack<Scalar, Value>::SolveCoarsest()
 {
   Level& coarsest = this->Levels.back();
   this->CoarsestRightHandSide = coarsest.b.template cast<Scalar>();
@@ -201,7 +214,29 @@ void ScaledHierarchy<Scalar, Value>::SolveCoarsest()
 }
 
 template <class Scalar, class Value>
-long long ScaledHierarchy<Scalar, Value>::Bytes() const
+void LevelStack<Scalar, Value>::Sweep(int level, const ExecutionContext& context)
+{
+  this->Smoothers[level]->PostSmooth(this->Levels[level].b, this->Levels[level].x, context);
+}
+
+template <class Scalar, class Value>
+void LevelStack<Scalar, Value>::Cycle(int level, const ExecutionContext& context)
+{
+  const int coarsest = this->NumberOfLevels() - 1;
+  for (int l = level; l < coarsest; ++l)
+  {
+    this->Restrict(l, this->Smoothers[l]->PreSmooth(this->Levels[l].b, this->Levels[l].x, context), context);
+  }
+  this->SolveCoarsest();
+  for (int l = coarsest; l-- > level;)
+  {
+    this->Correct(l, context);
+    this->Sweep(l, context);
+  }
+}
+
+template <class Scalar, class Value>
+long long LevelStack<Scalar, Value>::Bytes() const
 {
   long long bytes = static_cast<long long>(this->CallersOrder.size() * sizeof(int)) +
     this->FinestScale.size() * static_cast<long long>(sizeof(Real));
@@ -211,12 +246,16 @@ long long ScaledHierarchy<Scalar, Value>::Bytes() const
       static_cast<long long>(level.Order.size() * sizeof(int)) +
       (level.x.size() + level.b.size()) * static_cast<long long>(sizeof(Value));
   }
+  for (const auto& smoother : this->Smoothers)
+  {
+    bytes += smoother->Bytes();
+  }
   return bytes;
 }
 
-template class ScaledHierarchy<double, float>;
-template class ScaledHierarchy<double, double>;
-template class ScaledHierarchy<Complex, std::complex<float>>;
-template class ScaledHierarchy<Complex, Complex>;
+template class LevelStack<double, float>;
+template class LevelStack<double, double>;
+template class LevelStack<Complex, std::complex<float>>;
+template class LevelStack<Complex, Complex>;
 
 }
