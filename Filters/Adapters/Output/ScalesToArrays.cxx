@@ -21,6 +21,17 @@ namespace dmg
 namespace
 {
 
+/// What a stage says of its progress where it makes a set-up, unless there is one, and then solves.
+PartOfContext SetupPart(const ExecutionContext& context)
+{
+  return PartOfContext(context, 0.0, 0.3);
+}
+
+PartOfContext SolvePart(const ExecutionContext& context)
+{
+  return PartOfContext(context, 0.3, 1.0);
+}
+
 /// Spectra are drawn, and their rows sum to the whole at any tolerance.
 constexpr double ToleranceOfSpectra = 1e-4;
 constexpr int MostIterations = 200;
@@ -124,9 +135,14 @@ void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionCo
     function.AtVertices = function.IsOnPoints ? function.Given : FunctionOfFaces(this->On.Mesh, function.Given);
     this->Functions.push_back(std::move(function));
   }
+  const double step = 1.0 / std::max<double>(1.0, static_cast<double>(quantities.Flows.size()));
+  double done = 0.0;
   for (const NamedFlowArrays& each : quantities.Flows)
   {
-    ReadFlow flow{ each.Name, each.Arrays.AreOnPoints(), FlowFromArrays(this->View, each.Arrays, context).Tangential };
+    const PartOfContext part(context, done, done + step);
+    done += step;
+    ReadFlow flow{ each.Name, each.Arrays.AreOnPoints(),
+      FlowFromArrays(this->View, each.Arrays, PartOfContext(part, 0.0, 0.1)).Tangential };
     const Vector<Complex> onFaces = flow.Given;
     const VectorsOnSurface vectors = this->View.Vectors(each.Arrays);
     flow.Given.resize(vectors.Values.rows());
@@ -141,8 +157,9 @@ void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionCo
     }
     else
     {
-      this->Of.OfFlows(context); // which shares its set-up
-      flow.Parts = this->Of.Decomposition->Decompose(onFaces, {}, { 1e-11, MostIterations }, context);
+      this->Of.OfFlows(PartOfContext(part, 0.1, 0.5)); // which shares its set-up
+      flow.Parts =
+        this->Of.Decomposition->Decompose(onFaces, {}, { 1e-11, MostIterations }, PartOfContext(part, 0.5, 1.0));
       this->Warnings.insert(this->Warnings.end(), flow.Parts.Warnings.begin(), flow.Parts.Warnings.end());
       this->HaveConverged &= flow.Parts.Converged;
     }
@@ -178,7 +195,8 @@ double ScaleSurface::Run::UnitOfWavelengths() const
 
 void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context)
 {
-  const SplitScales split = this->Of.OfFunctions(context).Split(function.AtVertices, wavelength, this->Stop(), context);
+  ScaleFilter& scales = this->Of.OfFunctions(SetupPart(context));
+  const SplitScales split = scales.Split(function.AtVertices, wavelength, this->Stop(), SolvePart(context));
   this->Take(this->Of.Functions->Report());
   this->MeansBefore.push_back(this->Mean(function.AtVertices));
   this->MeansAfter.push_back(this->Mean(split.Below));
@@ -228,8 +246,8 @@ void ScaleSurface::Run::WritePart(const ReadFlow& flow, const std::string& name,
 
 void ScaleSurface::Run::AddFlow(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
 {
-  FlowScales& scales = this->Of.OfFlows(context);
-  const SplitFlow split = scales.Split(flow.Parts, wavelength, this->Stop(), context);
+  FlowScales& scales = this->Of.OfFlows(SetupPart(context));
+  const SplitFlow split = scales.Split(flow.Parts, wavelength, this->Stop(), SolvePart(context));
   this->Take(scales.ReportOfPotential());
   this->Take(scales.ReportOfStreamFunction());
   const std::string at = ShortText(wavelength);
@@ -243,7 +261,8 @@ void ScaleSurface::Run::AddFlow(const ReadFlow& flow, double wavelength, const E
 
 void ScaleSurface::Run::AddVectors(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
 {
-  const SplitScales split = this->Of.OfVectors(context).Split(flow.AtVertices, wavelength, this->Stop(), context);
+  ScaleFilter& scales = this->Of.OfVectors(SetupPart(context));
+  const SplitScales split = scales.Split(flow.AtVertices, wavelength, this->Stop(), SolvePart(context));
   this->Take(this->Of.Vectors->Report());
   const Vector<Complex> below = AsComplex(split.Below);
   if (flow.IsOnPoints)
@@ -308,11 +327,13 @@ void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& cont
   };
   if (!this->Functions.empty())
   {
-    find(this->Of.OfFunctions(context), this->Functions, PartOfContext(context, 0.0, share));
+    const PartOfContext part(context, 0.0, share);
+    find(this->Of.OfFunctions(SetupPart(part)), this->Functions, SolvePart(part));
   }
   if (this->Options.AreWholes && !this->Flows.empty())
   {
-    find(this->Of.OfVectors(context), this->Flows, PartOfContext(context, share, 1.0));
+    const PartOfContext part(context, share, 1.0);
+    find(this->Of.OfVectors(SetupPart(part)), this->Flows, SolvePart(part));
     return;
   }
   for (std::size_t k = 0; k < this->Flows.size(); ++k)
@@ -320,8 +341,9 @@ void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& cont
     const double step = (1.0 - share) / static_cast<double>(this->Flows.size());
     const double done = share + static_cast<double>(k) * step;
     const ReadFlow& flow = this->Flows[k];
-    const FlowSpectra spectra =
-      this->Of.OfFlows(context).FindSpectra(flow.Parts, bounds, stop, PartOfContext(context, done, done + step));
+    const PartOfContext part(context, done, done + step);
+    FlowScales& scales = this->Of.OfFlows(SetupPart(part));
+    const FlowSpectra spectra = scales.FindSpectra(flow.Parts, bounds, stop, SolvePart(part));
     rows.Add(flow.Name, spectra.Flow);
     rows.Add(flow.Name + " divergent", spectra.Gradient);
     rows.Add(flow.Name + " rotational", spectra.Rotational);
