@@ -21,7 +21,7 @@ namespace dmg
 namespace
 {
 
-/// What a stage says of its progress where it makes a set-up, unless there is one, and then solves.
+/// The parts of the progress of a stage that makes a set-up, unless there is one, and then solves.
 PartOfContext SetupPart(const ExecutionContext& context)
 {
   return PartOfContext(context, 0.0, 0.3);
