@@ -128,7 +128,7 @@ int vtkFieldQuads::RequestData(
       return;
     }
     this->Summary = SummaryOf(quads);
-    dmg::QuadsToPolyData(quads, view, output(0));
+    dmg::QuadsToPolyData(quads, view, this->CutForTextures, output(0));
     context.Checkpoint(0.99);
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
     dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
@@ -161,5 +161,6 @@ void vtkFieldQuads::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SymmetryNormal: " << this->SymmetryNormal[0] << " " << this->SymmetryNormal[1] << " "
      << this->SymmetryNormal[2] << "\n";
   os << indent << "SmoothingSteps: " << this->SmoothingSteps << "\n";
+  os << indent << "CutForTextures: " << (this->CutForTextures ? "On" : "Off") << "\n";
   os << indent << "BallRadius: " << this->BallRadius << "\n";
 }

@@ -32,11 +32,13 @@
  * | -------------- | ------ | ---------- | ------ | --------------------------------------------------------------- |
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, < 0 if inverted    |
+ * | CornersOnGrid  | cells  | 8          | double | u and v of its corners: each quad is a square of an integer grid that is cut between irregular points |
+ * | GridCoordinates | points | 2         | double | only with CutForTextures: the same at points; texture coordinates, where the surface has no active ones |
  *
  * The field data say, of distances: DistanceFromQuads of the surface, largest and mean; FarthestPlace, where it is largest; and
  * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and
  * RatioOfSizes the largest over the smallest length of edges, asked for and reached. An int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
- * of the map, InvertedQuads, EdgesAgainstField of the boundary that edges of quads follow though the field does not, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
+ * and TrianglesWithoutArea of the map, InvertedQuads, EdgesAgainstField of the boundary that edges of quads follow though the field does not, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
  * components that no other quads fit. Of symmetric quads, SymmetryPlane is a place of the plane and its unit normal, six numbers.
  *
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges
@@ -156,6 +158,16 @@ public:
 
   ///@{
   /**
+   * Whether points are doubled along the cuts of the integer grid, so that each has its own GridCoordinates, by which a texture that repeats shows
+   * as squares. Without, the mesh is in one piece, and CornersOnGrid of cells has the same numbers. Default off.
+   */
+  vtkSetMacro(CutForTextures, bool);
+  vtkGetMacro(CutForTextures, bool);
+  vtkBooleanMacro(CutForTextures, bool);
+  ///@}
+
+  ///@{
+  /**
    * Radius of the balls of port 2, over the length of edges. Default 0.5, range 0 to 10.
    */
   vtkSetMacro(BallRadius, double);
@@ -182,6 +194,7 @@ private:
   double EdgeLength = 0.0;
   bool AlignBoundary = true;
   bool AlignSharpEdges = true;
+  bool CutForTextures = false;
   double FeatureAngle = 30.0;
   int Symmetry = NoSymmetry;
   double SymmetryOrigin[3] = { 0.0, 0.0, 0.0 };

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -271,6 +272,62 @@ TEST(FieldQuads, TellHowFarASurfaceIsFromSymmetric)
   filter->Update();
   EXPECT_NE(messages.Error().find("Symmetry Normal has no direction"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(FieldQuads, HaveTextureCoordinatesOfTheGridWhereTheyAreCut)
+{
+  const auto sphere = PolyDataOf(IrregularSphere(3, 5));
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(sphere);
+  filter->SetNumberOfQuads(300);
+  filter->Update();
+  const vtkIdType vertices = filter->GetOutput()->GetNumberOfPoints();
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetTCoords(), nullptr);
+  filter->CutForTexturesOn();
+  filter->Update();
+  vtkPolyData* const quads = filter->GetOutput();
+  EXPECT_GT(quads->GetNumberOfPoints(), vertices);
+  EXPECT_LT(quads->GetNumberOfPoints(), 1.5 * static_cast<double>(vertices));
+  auto* const coordinates = quads->GetPointData()->GetTCoords();
+  ASSERT_TRUE(coordinates);
+  EXPECT_STREQ(coordinates->GetName(), "GridCoordinates");
+  auto* const corners = quads->GetCellData()->GetArray("CornersOnGrid");
+  for (vtkIdType cell = 0; cell < quads->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> points;
+    quads->GetCellPoints(cell, points);
+    double area = 0.0; // of the quad as a texture is laid on it
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto u = [&](int corner, int c) { return coordinates->GetComponent(points->GetId(corner % 4), c); };
+      area += 0.5 * (u(k, 0) * u(k + 1, 1) - u(k, 1) * u(k + 1, 0));
+      EXPECT_EQ(u(k, 0), corners->GetComponent(cell, 2 * k));
+      EXPECT_EQ(u(k, 1), corners->GetComponent(cell, 2 * k + 1));
+    }
+    EXPECT_EQ(area, 1.0);
+  }
+  const auto own = Zeros("Own", sphere->GetNumberOfPoints(), 2);
+  sphere->GetPointData()->SetTCoords(own);
+  sphere->Modified();
+  filter->Update();
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetTCoords()->GetName(), "Own");
+  EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("GridCoordinates"));
+}
+
+TEST(FieldQuads, TellProgressThatNeverGoesBack)
+{
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(PolyDataOf(IrregularSphere(3, 5)));
+  filter->SetNumberOfQuads(300);
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&progress);
+  keep->SetCallback([](vtkObject* caller, unsigned long, void* list, void*)
+    { static_cast<std::vector<double>*>(list)->push_back(static_cast<vtkAlgorithm*>(caller)->GetProgress()); });
+  filter->AddObserver(vtkCommand::ProgressEvent, keep);
+  filter->Update();
+  EXPECT_GT(progress.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
 }
 
 TEST(FieldQuads, TakeSizesFromArray)

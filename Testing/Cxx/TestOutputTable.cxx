@@ -380,6 +380,7 @@ void RunOthers()
   vtkNew<vtkFieldQuads> quads;
   quads->SetNumberOfQuads(300);
   quads->SetSymmetry(vtkFieldQuads::Automatic);
+  quads->CutForTexturesOn();
   RunFilter(quads, sphere);
   for (const int kind : { Solver::PowerField, Solver::PointPowerField })
   {

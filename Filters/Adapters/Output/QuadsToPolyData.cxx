@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -28,15 +29,88 @@ namespace dmg
 namespace
 {
 
-void CarryPoints(const QuadMesh& quads, const SurfaceView& view, vtkPointData* to)
+/// The points that corners of quads become.
+struct PointsOfQuads
 {
-  const vtkIdType size = quads.Positions.rows();
-  CarriedPoints carried(view, to, size);
-  for (vtkIdType vertex = 0; vertex < size; ++vertex)
+  std::vector<int> Vertices;                     ///< by point
+  std::vector<std::array<int, 2>> Places;        ///< by point, on the grid; empty if vertices are not doubled
+  std::vector<std::vector<vtkIdType>> OfCorners; ///< by quad
+};
+
+PointsOfQuads OnePerVertex(const QuadMesh& quads)
+{
+  PointsOfQuads points;
+  points.Vertices.resize(quads.Places.size());
+  std::iota(points.Vertices.begin(), points.Vertices.end(), 0);
+  for (const auto& corners : quads.Quads)
   {
-    carried.Set(vertex, quads.Places[vertex]);
+    points.OfCorners.emplace_back(corners.begin(), corners.end());
+  }
+  return points;
+}
+
+/// A point for each vertex and place on the grid.
+PointsOfQuads OnePerPlace(const QuadMesh& quads)
+{
+  PointsOfQuads points;
+  std::map<std::tuple<int, int, int>, vtkIdType> numbers;
+  for (std::size_t quad = 0; quad < quads.Quads.size(); ++quad)
+  {
+    points.OfCorners.emplace_back(4);
+    for (int k = 0; k < 4; ++k)
+    {
+      const std::array<int, 2>& place = quads.Grid[quad][k];
+      const auto [number, isNew] = numbers.emplace(
+        std::make_tuple(quads.Quads[quad][k], place[0], place[1]), static_cast<vtkIdType>(points.Vertices.size()));
+      if (isNew)
+      {
+        points.Vertices.push_back(quads.Quads[quad][k]);
+        points.Places.push_back(place);
+      }
+      points.OfCorners.back()[k] = number->second;
+    }
+  }
+  return points;
+}
+
+void CarryPoints(const QuadMesh& quads, const std::vector<int>& vertices, const SurfaceView& view, vtkPointData* to)
+{
+  const vtkIdType size = static_cast<vtkIdType>(vertices.size());
+  CarriedPoints carried(view, to, size);
+  for (vtkIdType point = 0; point < size; ++point)
+  {
+    carried.Set(point, quads.Places[vertices[point]]);
   }
   carried.Finish();
+}
+
+/// Places on the grid: of the corners of quads, and of points, where these have one each; the latter as texture coordinates, if the surface has none.
+void AddGrid(const QuadMesh& quads, const std::vector<std::array<int, 2>>& places, vtkPolyData* output)
+{
+  const auto ofCorners = NewArray("CornersOnGrid", 8, static_cast<vtkIdType>(quads.Grid.size()));
+  for (vtkIdType number = 0; number < ofCorners->GetNumberOfValues(); ++number)
+  {
+    ofCorners->SetValue(number, quads.Grid[number / 8][number % 8 / 2][number % 2]);
+  }
+  output->GetCellData()->AddArray(ofCorners);
+  if (places.empty())
+  {
+    return;
+  }
+  const auto ofPoints = NewArray("GridCoordinates", 2, static_cast<vtkIdType>(places.size()));
+  for (vtkIdType number = 0; number < ofPoints->GetNumberOfValues(); ++number)
+  {
+    ofPoints->SetValue(number, places[number / 2][number % 2]);
+  }
+  vtkPointData* const pointData = output->GetPointData();
+  if (pointData->GetTCoords())
+  {
+    pointData->AddArray(ofPoints);
+  }
+  else
+  {
+    pointData->SetTCoords(ofPoints);
+  }
 }
 
 void AddReport(const QuadReport& report, vtkFieldData* fieldData)
@@ -53,6 +127,7 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("IrregularVertices", report.IrregularVertices);
   add("IrregularWithoutSingularity", report.IrregularWithoutSingularity);
   add("FlippedTriangles", report.FlippedFaces);
+  add("TrianglesWithoutArea", report.FacesWithoutArea);
   add("InvertedQuads", report.InvertedQuads);
   add("EdgesAgainstField", static_cast<int>(report.AgainstField.size()));
   add("EulerCharacteristicOfSurface", report.EulerOfSurface);
@@ -81,11 +156,12 @@ int IrregularityOf(const QuadMesh& quads, int vertex)
 
 }
 
-void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output)
+void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, bool areCut, vtkPolyData* output)
 {
+  const PointsOfQuads points = areCut ? OnePerPlace(quads) : OnePerVertex(quads);
   PolyDataBuilder drawing(PolyDataBuilder::Cells::Polygons);
   std::vector<int> irregular;
-  for (int vertex = 0; vertex < quads.Positions.rows(); ++vertex)
+  for (const int vertex : points.Vertices)
   {
     drawing.AddPoint(quads.Positions.row(vertex).transpose());
     irregular.push_back(IrregularityOf(quads, vertex));
@@ -95,14 +171,14 @@ void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData
   const auto givenToCells = StartCarryingCells(view, ofCells, size);
   for (vtkIdType quad = 0; quad < size; ++quad)
   {
-    const auto& corners = quads.Quads[quad];
-    drawing.AddCell({ corners.begin(), corners.end() });
+    drawing.AddCell(points.OfCorners[quad]);
     ofCells->CopyData(givenToCells, view.Relation().CellOf(quads.Faces[quad]), quad);
   }
   drawing.Finish(output);
-  CarryPoints(quads, view, output->GetPointData());
+  CarryPoints(quads, points.Vertices, view, output->GetPointData());
   AddToPoints<vtkIntArray>(output, "Irregular", irregular);
   AddToCells<vtkDoubleArray>(output, "ScaledJacobian", quads.ScaledJacobians);
+  AddGrid(quads, points.Places, output);
   AddReport(quads.Report, output->GetFieldData());
 }
 

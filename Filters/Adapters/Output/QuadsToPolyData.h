@@ -12,7 +12,8 @@ namespace dmg
 /// Quad meshes as vtkPolyData; vtkFieldQuads defines the arrays.
 
 /// The quads, with the arrays of the surface.
-void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output);
+/// \param areCut whether points are there once on each side of a cut of the grid.
+void QuadsToPolyData(const QuadMesh& quads, const SurfaceView& view, bool areCut, vtkPolyData* output);
 
 /// The triangles of the surface with the map as texture coordinates; points are there once on each side of a cut.
 void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* output);

@@ -197,10 +197,13 @@ const std::vector<OutputArray>& OutputTable()
     // quads
     { "vtkFieldQuads", 0, "Irregular", Points, 1 },
     { "vtkFieldQuads", 0, "ScaledJacobian", Cells, 1 },
+    { "vtkFieldQuads", 0, "GridCoordinates", Points, 2 },
+    { "vtkFieldQuads", 0, "CornersOnGrid", Cells, 8 },
     { "vtkFieldQuads", 0, "Singularities", Field, 1 },
     { "vtkFieldQuads", 0, "IrregularVertices", Field, 1 },
     { "vtkFieldQuads", 0, "IrregularWithoutSingularity", Field, 1 },
     { "vtkFieldQuads", 0, "FlippedTriangles", Field, 1 },
+    { "vtkFieldQuads", 0, "TrianglesWithoutArea", Field, 1 },
     { "vtkFieldQuads", 0, "InvertedQuads", Field, 1 },
     { "vtkFieldQuads", 0, "EulerCharacteristicOfSurface", Field, 1 },
     { "vtkFieldQuads", 0, "EulerCharacteristic", Field, 1 },

@@ -113,7 +113,8 @@ private:
     this->Report.SplitSingularities = this->Rounds.SplitSingularities;
     this->Report.AgainstField =
       BoundaryAgainstField(this->Mesh, this->Rounds.Angles, this->Rounds.Field, this->Options);
-    this->Report.FlippedFaces = NumberOfFlippedFaces(mesh.Map);
+    this->Report.FlippedFaces = NumberOfFaces(mesh.Map, -1);
+    this->Report.FacesWithoutArea = NumberOfFaces(mesh.Map, 0);
     this->Report.Singularities =
       static_cast<int>(std::count_if(indices.begin(), indices.end(), [](int index) { return index != 0; }));
     this->Report.EulerOfSurface = this->Mesh.EulerCharacteristic();

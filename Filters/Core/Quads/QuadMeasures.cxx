@@ -136,6 +136,7 @@ void MeasureQuads(
   mesh.Report.AreaShares.clear();
   mesh.Report.Distances = {};
   mesh.Report.MeanLength = areas.size() > 0 ? std::sqrt(areas.mean()) : 0.0;
+  mesh.Grid = LayOutOnGrid(topology);
   MeasureShapes(on, topology, mesh);
   MeasureAreas(on, areas, mesh);
   MeasureSizes(on, areas, mesh);

@@ -19,7 +19,7 @@ struct MeasuredSurface
   const Vector<double>& Sizes;        ///< as QuadOptions::Sizes
 };
 
-/// Fills in the part of the report of a quad mesh that its quads tell, and scaled Jacobians.
+/// Fills in the part of the report of a quad mesh that its quads tell, scaled Jacobians and the grid.
 /// \param topology of the quads.
 void MeasureQuads(
   const MeasuredSurface& on, const QuadTopology& topology, QuadMesh& mesh, const ExecutionContext& context);

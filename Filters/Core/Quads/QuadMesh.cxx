@@ -141,12 +141,12 @@ QuadMesh MakeWithFactors(const FramedMesh& surface, std::shared_ptr<const FinerS
   CheckOptions(surface, options, names);
   CheckPowers(finer->Geometry, powers, namesOfFiner);
   const QuadOptions others = OptionsOf(options, *finer);
-  QuadMesh mesh = MakeQuadsOfShortEdges(
-    finer->Geometry, powers, CheckedLengths(finer->Geometry.Mesh, others), others, context, namesOfFiner);
+  QuadMesh mesh = MakeQuadsOfShortEdges(finer->Geometry, powers, CheckedLengths(finer->Geometry.Mesh, others), others,
+    PartOfContext(context, 0.0, 0.8), namesOfFiner);
   if (!mesh.Report.Error.empty()) // components of few triangles may be split triangle by triangle, if they are few
   {
-    QuadMesh other = MakeQuadsOfShortEdges(
-      surface, finer->PowersOfParents(surface, powers), CheckedLengths(surface.Mesh, options), options, context, names);
+    QuadMesh other = MakeQuadsOfShortEdges(surface, finer->PowersOfParents(surface, powers),
+      CheckedLengths(surface.Mesh, options), options, PartOfContext(context, 0.8, 1.0), names);
     if (other.Report.Error.empty())
     {
       return other;

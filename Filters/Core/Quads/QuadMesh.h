@@ -4,6 +4,7 @@
 #include "Mesh/FramedMesh.h"
 #include "Quads/Crosses/FinerSurface.h"
 #include "Quads/Crosses/SurfacePlace.h"
+#include "Quads/GridCoordinates.h"
 #include "Quads/Map/SeamlessMap.h"
 #include "Quads/MirrorPlane.h"
 #include "Quads/QuadOptions.h"
@@ -41,6 +42,7 @@ struct QuadReport
   int IrregularVertices = 0;           ///< inner vertices that have not four quads
   int IrregularWithoutSingularity = 0; ///< of these, the ones that are at no singularity of the field
   int FlippedFaces = 0;                ///< of the surface, that the map turns over
+  int FacesWithoutArea = 0;            ///< of the surface, that the map takes to a line or a point
   int InvertedQuads = 0;               ///< of a negative scaled Jacobian: folded, not convex or upside down
   double MeanScaledJacobian = 0.0;
   int EulerOfSurface = 0; ///< without what is left out
@@ -80,6 +82,8 @@ struct QuadMesh
   std::vector<int> Valences;             ///< by vertex, the number of its quads
   std::vector<int> Singularities; ///< by vertex, the number of singular vertices of the surface that it stands for
   Vector<double> ScaledJacobians; ///< by quad, see QuadSmoothing.h
+  /// By quad and corner: u and v on the integer grid, which go on from quad to quad but across cuts (LayOutOnGrid).
+  std::vector<CornersInGrid> Grid;
 
   /// The surface with its long edges halved, which the map is of; null where there are none.
   std::shared_ptr<const FinerSurface> Finer;

@@ -344,8 +344,8 @@ QuadMesh MakeSymmetricQuads(const FramedMesh& surface, const std::optional<Vecto
   QuadReport& report = mesh.Report;
   report.IsSymmetric = true;
   report.Mirror = plane;
-  for (int* const number :
-    { &report.Singularities, &report.SplitSingularities, &report.FlippedFaces, &report.SplitFaces, &report.LeftOut })
+  for (int* const number : { &report.Singularities, &report.SplitSingularities, &report.FlippedFaces,
+         &report.FacesWithoutArea, &report.SplitFaces, &report.LeftOut })
   {
     *number *= 2;
   }

@@ -108,7 +108,7 @@ TEST(IsolineArrangement, LiesOnSurfaceWhateverTheMapTurnsOver)
   for (const unsigned seed : { 2u, 5u, 11u, 17u, 23u })
   {
     const MappedSurface surface = FoldedPlane(seed);
-    ASSERT_GT(NumberOfFlippedFaces(surface.Map), 5);
+    ASSERT_GT(NumberOfFaces(surface.Map, -1), 5);
     const IsolineArrangement isolines = surface.Isolines();
     const IsolineCells cells = FindCells(surface.Mesh, isolines);
     const int nodes = static_cast<int>(isolines.Nodes.size());

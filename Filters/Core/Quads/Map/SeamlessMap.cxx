@@ -86,14 +86,14 @@ int OrientationInMap(const MapOfCorners& map, int face)
   return SignOfDifference(b[0] - a[0], c[1] - a[1], b[1] - a[1], c[0] - a[0]);
 }
 
-int NumberOfFlippedFaces(const MapOfCorners& map)
+int NumberOfFaces(const MapOfCorners& map, int orientation)
 {
-  int flipped = 0;
+  int count = 0;
   for (int face = 0; 3 * face < static_cast<int>(map.size()); ++face)
   {
-    flipped += OrientationInMap(map, face) < 0 ? 1 : 0;
+    count += OrientationInMap(map, face) == orientation ? 1 : 0;
   }
-  return flipped;
+  return count;
 }
 
 SeamlessMap::SeamlessMap(
@@ -315,14 +315,14 @@ MapOfCorners SeamlessMap::LimitDistortion(MapOfCorners map, Vector<double> reals
   const Vector<double>& lengths, const ExecutionContext& context)
 {
   MapOfCorners best = map;
-  int fewest = NumberOfFlippedFaces(map);
+  int fewest = NumberOfFaces(map, -1);
   for (int step = 0; step < StepsOfLimiting && fewest > 0; ++step)
   {
     context.Checkpoint(static_cast<double>(step) / StepsOfLimiting);
     const Targets targets = this->LimitedDistortion(this->CornersOf(reals, parameters), lengths, context);
     this->SolveReals(this->RightSide(targets, context), parameters, reals);
     map = this->InFixedPoint(reals, parameters);
-    if (const int flipped = NumberOfFlippedFaces(map); flipped < fewest)
+    if (const int flipped = NumberOfFaces(map, -1); flipped < fewest)
     {
       fewest = flipped;
       best = map;

@@ -25,7 +25,8 @@ using MapOfCorners = std::vector<std::array<FixedPoint, 2>>;
 
 /// The sign of twice the area of a face in the map: 1, -1 where it is turned over, or 0.
 int OrientationInMap(const MapOfCorners& map, int face);
-int NumberOfFlippedFaces(const MapOfCorners& map);
+/// The number of faces of an orientation in the map.
+int NumberOfFaces(const MapOfCorners& map, int orientation);
 
 /// A seamless integer map whose gradients are near to the directions of a cross field.
 ///
