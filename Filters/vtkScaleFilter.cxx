@@ -12,6 +12,9 @@
 #include "Adapters/View/HiddenGaps.h"
 #include "Adapters/View/SurfaceView.h"
 #include "Flows/PeriodicSurfaces.h"
+#ifdef DMG_PETSC
+#include "Adapters/Output/ScalesOfPieces.h"
+#endif
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -40,6 +43,19 @@ public:
   std::vector<std::string> Arrays;
   std::vector<double> Wavelengths;
   dmg::ScaleSurface Surface;
+#ifdef DMG_PETSC
+  dmg::ScalesOfPieces Pieces;
+#endif
+
+  dmg::ScaleSurface::StageCounts Counts() const
+  {
+    dmg::ScaleSurface::StageCounts counts = this->Surface.Counts();
+#ifdef DMG_PETSC
+    counts.Setups += this->Pieces.Counts().Setups;
+    counts.Splits += this->Pieces.Counts().Splits;
+#endif
+    return counts;
+  }
 
   static void CheckProperties(const vtkScaleFilter& filter)
   {
@@ -63,6 +79,36 @@ public:
   {
     return { this->Wavelengths, filter.FlowKind == Wholes, filter.PartsApart, filter.Tolerance, filter.Spectrum,
       filter.SpectrumFrom, filter.SpectrumTo, filter.SpectrumRows };
+  }
+
+  static dmg::PreparationOptions PreparationOf(const vtkScaleFilter& filter)
+  {
+    return { dmg::Numbering::Spatial, filter.JoinPoints, filter.Strict };
+  }
+
+  dmg::QuantityArrays Quantities(vtkScaleFilter* filter, vtkDataSet* dataset) const
+  {
+    const dmg::Vector3 axis(filter->Coordinates == Space ? filter->Axis : AxisOfMaps);
+    return dmg::FindQuantities(filter, this->Arrays, dataset, axis);
+  }
+
+  /// Collective. \return the reason why the outputs are not made in pieces; empty where they are.
+  std::string MakeInPieces(vtkScaleFilter* filter, const dmg::RanksOfPipeline& ranks, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, const dmg::ExecutionContext& context)
+  {
+    ranks.Together([&] { CheckProperties(*filter); });
+    if (filter->Coordinates != Space)
+    {
+      return "maps are taken to the sphere on one process";
+    }
+#ifdef DMG_PETSC
+    return this->Pieces.Filter(
+      filter, [&](vtkDataSet* piece) { return this->Quantities(filter, piece); }, SettingsOf(*filter, false),
+      this->OptionsOf(*filter), PreparationOf(*filter), ranks, inputs, outputs, context);
+#else
+    (void)inputs, (void)outputs, (void)context;
+    return "the filters were built without DMG_PETSC, by which functions and vectors at points stay in pieces";
+#endif
   }
 };
 
@@ -147,13 +193,13 @@ double vtkScaleFilter::GetWavelength(int index) const
 //------------------------------------------------------------------------------
 int vtkScaleFilter::GetNumberOfSetups() const
 {
-  return this->Internals->Surface.Counts().Setups;
+  return this->Internals->Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkScaleFilter::GetNumberOfSplits() const
 {
-  return this->Internals->Surface.Counts().Splits;
+  return this->Internals->Counts().Splits;
 }
 
 //------------------------------------------------------------------------------
@@ -174,12 +220,12 @@ int vtkScaleFilter::RequestData(
     const dmg::Vector3 axis(isMap ? AxisOfMaps : this->Axis);
 
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
-    const dmg::QuantityArrays quantities = dmg::FindQuantities(this, this->Internals->Arrays, view.Given(), axis);
+    const dmg::QuantityArrays quantities = this->Internals->Quantities(this, view.Given());
     const bool isGlobe = isMap || quantities.AreComponents();
     view.TakeIf<dmg::FlatMap>(isMap);
     view.TakeIf<dmg::GlobeLayout>(isGlobe, axis);
     view.TakeIf<dmg::HiddenGaps>(true, quantities.WithGaps(), "data"); // last: twins of gaps are gaps
-    view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.05));
+    view.Prepare(vtkInternals::PreparationOf(*this), dmg::PartOfContext(context, 0.0, 0.05));
 
     dmg::ScaleSurface& surface = this->Internals->Surface;
     dmg::ScaleSurface::Settings settings = vtkInternals::SettingsOf(*this, isGlobe);
@@ -193,7 +239,10 @@ int vtkScaleFilter::RequestData(
     dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
     dmg::Warn(this, view.Warnings());
   };
-  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+  const auto makeInPieces =
+    [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces, const dmg::ExecutionContext& context)
+  { return this->Internals->MakeInPieces(this, ranks, pieces, outputVector, context); };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);
 }
 
 //------------------------------------------------------------------------------

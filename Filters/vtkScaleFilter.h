@@ -71,6 +71,10 @@
  * arrays, wavelengths and times. The spectrum has SpectrumRows + 1 wavelengths more. Where no array is chosen, the first output is the input,
  * beside the error, so that a window goes on to show the surface.
  *
+ * On several ranks, with the option DMG_PETSC, functions and flows as wholes (FlowKind) of points stay in pieces: each rank has the results of its
+ * own points, and the first one the spectrum. Gathered on the first rank are flows by their parts, arrays of cells, eastward and northward
+ * components, flat maps, wavelengths that vary, values that are NaN or may be fill values, and all where Solver is Cholesky.
+ *
  * @sa vtkHodgeDecomposition
  */
 

@@ -44,37 +44,19 @@ double Rounded(double x)
   return std::stod(ShortText(std::round(x / unit) * unit));
 }
 
-/// A function of the dataset on its way through the filter.
-struct ReadFunction
-{
-  std::string Name;
-  bool IsOnPoints;
-  Vector<double> Given;      ///< by vertex or face
-  Vector<double> AtVertices; ///< what is filtered
-};
-
-/// A flow of the dataset.
-struct ReadFlow
-{
-  std::string Name;
-  bool IsOnPoints;
-  Vector<Complex> Given;     ///< tangential, by vertex or face
-  Vector<double> AtVertices; ///< what is filtered as a whole
-  DecomposedFlow Parts;      ///< what is filtered else
-};
-
 }
 
 /// One call of ScaleSurface::Filter.
 class ScaleSurface::Run
 {
 public:
-  Run(ScaleSurface& of, const ScaleOptions& options, const SurfaceView& view, const ExecutionContext& context)
+  Run(ScaleSurface& of, const ScaleOptions& options, const SurfaceView& view, const SurfaceSizes& sizes,
+    const ExecutionContext& context)
     : Of(of)
     , Options(options)
     , View(view)
-    , On(of.Prepared->Geometry)
-    , Sizes(SizesOf(this->On.Mesh))
+    , On(of.On())
+    , Sizes(sizes)
     , Context(context)
   {
     if (this->Options.Wavelengths.empty())
@@ -93,6 +75,8 @@ public:
 
   const std::vector<double>& Wavelengths() const { return this->Options.Wavelengths; }
 
+  std::vector<ReadFunction> Functions;
+  std::vector<ReadFlow> Flows;
   std::vector<std::string> Warnings;
 
 private:
@@ -105,7 +89,6 @@ private:
   Vector<Complex> AtVertices(const Vector<Complex>& onFaces) const;
   void Take(const SolveReport& report);
   StoppingCriteria Stop() const { return { this->Options.Tolerance, MostIterations }; }
-  double Mean(const Vector<double>& f) const;
   /// The wavelength of a length of the points; the middle one where wavelengths vary.
   double UnitOfWavelengths() const;
 
@@ -115,8 +98,6 @@ private:
   const FramedMesh& On;
   const SurfaceSizes Sizes;
   const ExecutionContext& Context;
-  std::vector<ReadFunction> Functions;
-  std::vector<ReadFlow> Flows;
   std::vector<double> MeansBefore, MeansAfter; ///< of the functions at each wavelength
   std::vector<int> Iterations;                 ///< of all splits
   bool HaveConverged = true;
@@ -175,12 +156,6 @@ void ScaleSurface::Run::Take(const SolveReport& report)
   this->Warnings.insert(this->Warnings.end(), report.Warnings.begin(), report.Warnings.end());
 }
 
-double ScaleSurface::Run::Mean(const Vector<double>& f) const
-{
-  const Vector<double>& areas = this->Of.Functions->Areas();
-  return areas.dot(f) / areas.sum();
-}
-
 double ScaleSurface::Run::UnitOfWavelengths() const
 {
   std::vector<double> relative = this->Of.Given.RelativeWavelengths;
@@ -198,8 +173,8 @@ void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelen
   ScaleFilter& scales = this->Of.OfFunctions(SetupPart(context));
   const SplitScales split = scales.Split(function.AtVertices, wavelength, this->Stop(), SolvePart(context));
   this->Take(this->Of.Functions->Report());
-  this->MeansBefore.push_back(this->Mean(function.AtVertices));
-  this->MeansAfter.push_back(this->Mean(split.Below));
+  this->MeansBefore.push_back(this->Of.Functions->Mean(function.AtVertices));
+  this->MeansAfter.push_back(this->Of.Functions->Mean(split.Below));
   const std::string below = ArrayNames::BelowWavelength(function.Name, ShortText(wavelength));
   const std::string above = ArrayNames::AboveWavelength(function.Name, ShortText(wavelength));
   if (function.IsOnPoints)
@@ -390,6 +365,10 @@ void ScaleSurface::SetSurface(
   {
     return;
   }
+  if (this->OfOthers)
+  {
+    this->Forget();
+  }
   this->Functions.reset();
   this->Vectors.reset();
   this->Flows.reset();
@@ -421,24 +400,39 @@ ScaleFilterOptions ScaleSurface::OptionsOf(ScaledQuantity quantity) const
   return options;
 }
 
-ScaleFilter& ScaleSurface::OfFunctions(const ExecutionContext& context)
+void ScaleSurface::SetFilters(const FramedMesh& surface, const Settings& settings, MakeFilter make)
 {
-  if (!this->Functions)
+  if (!this->OfOthers || !this->Given.IsEqual(settings))
   {
-    this->Functions.emplace(this->Decomposition->Setups(), this->OptionsOf(ScaledQuantity::Function), context);
-    this->CountsOfStages.Setups += this->Functions->HasNewSetup() ? 1 : 0;
+    this->Forget();
+    this->OfOthers = &surface;
+    this->Make = std::move(make);
+    this->Given = settings;
   }
-  return *this->Functions;
 }
 
-ScaleFilter& ScaleSurface::OfVectors(const ExecutionContext& context)
+void ScaleSurface::Forget()
 {
-  if (!this->Vectors)
+  this->Functions.reset();
+  this->Vectors.reset();
+  this->Flows.reset();
+  this->Decomposition.reset();
+  this->Prepared.reset();
+  this->Make = nullptr;
+  this->OfOthers = nullptr;
+}
+
+ScaleFilter& ScaleSurface::Take(
+  std::optional<ScaleFilter>& filter, ScaledQuantity quantity, const ExecutionContext& context)
+{
+  if (!filter)
   {
-    this->Vectors.emplace(this->Decomposition->Setups(), this->OptionsOf(ScaledQuantity::Vectors), context);
-    this->CountsOfStages.Setups += this->Vectors->HasNewSetup() ? 1 : 0;
+    const ScaleFilterOptions options = this->OptionsOf(quantity);
+    filter.emplace(
+      this->Make ? this->Make(options, context) : ScaleFilter(this->Decomposition->Setups(), options, context));
+    this->CountsOfStages.Setups += filter->HasNewSetup() ? 1 : 0;
   }
-  return *this->Vectors;
+  return *filter;
 }
 
 FlowScales& ScaleSurface::OfFlows(const ExecutionContext& context)
@@ -454,11 +448,27 @@ FlowScales& ScaleSurface::OfFlows(const ExecutionContext& context)
 std::vector<std::string> ScaleSurface::Filter(const QuantityArrays& quantities, const ScaleOptions& options,
   const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
 {
-  Run run(*this, options, view, context);
+  Run run(*this, options, view, SizesOf(this->On().Mesh), context);
   run.Read(quantities, PartOfContext(context, 0.0, 0.2));
-  const double end = options.HasSpectrum ? 0.5 : 1.0;
-  const double step = (end - 0.2) / static_cast<double>(run.Wavelengths().size());
-  double done = 0.2;
+  return Finish(run, options, spectrum, PartOfContext(context, 0.2, 1.0));
+}
+
+std::vector<std::string> ScaleSurface::Filter(ReadQuantities quantities, const ScaleOptions& options,
+  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
+{
+  ScaleFilter& any = quantities.Functions.empty() ? this->OfVectors(context) : this->OfFunctions(context);
+  Run run(*this, options, view, any.Sizes(), context);
+  run.Functions = std::move(quantities.Functions);
+  run.Flows = std::move(quantities.Flows);
+  return Finish(run, options, spectrum, context);
+}
+
+std::vector<std::string> ScaleSurface::Finish(
+  Run& run, const ScaleOptions& options, vtkTable* spectrum, const ExecutionContext& context)
+{
+  const double end = options.HasSpectrum ? 0.4 : 1.0;
+  const double step = end / static_cast<double>(run.Wavelengths().size());
+  double done = 0.0;
   for (const double wavelength : run.Wavelengths())
   {
     run.AddWavelength(wavelength, PartOfContext(context, done, done + step));
@@ -466,7 +476,7 @@ std::vector<std::string> ScaleSurface::Filter(const QuantityArrays& quantities, 
   }
   if (options.HasSpectrum)
   {
-    run.AddSpectra(spectrum, PartOfContext(context, 0.5, 1.0));
+    run.AddSpectra(spectrum, PartOfContext(context, end, 1.0));
   }
   run.AddReport();
   context.Checkpoint(1.0);

@@ -104,6 +104,7 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
     return this->Reason;
   }
   this->FormerCounts = this->Counts();
+  ++this->Surfaces;
   this->SolverOfMeshes.reset();
   this->OwnSurface.reset();
   this->Digest.clear();

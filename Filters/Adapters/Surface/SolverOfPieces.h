@@ -42,6 +42,8 @@ public:
 
   /// Over all surfaces.
   StageCounts Counts() const;
+  /// The number of surfaces that there were, with this one.
+  int NumberOfSurfaces() const { return this->Surfaces; }
 
 private:
   void Relate(int numberOfCells, int numberOfPoints);
@@ -56,6 +58,7 @@ private:
   std::unique_ptr<FieldSolverInPieces> SolverOfMeshes;
   double SurfaceSeconds = 0.0;
   StageCounts FormerCounts;
+  int Surfaces = 0;
 };
 
 }

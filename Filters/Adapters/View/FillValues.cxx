@@ -96,6 +96,13 @@ std::string SuspectedFillValues(const std::vector<vtkDataArray*>& arrays, vtkIdT
   return SuspectedFillValues(arrays, TuplesWith([](double x) { return !std::isfinite(x); }, arrays, tuples), what);
 }
 
+bool MayHaveGaps(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
+{
+  const auto isSuch = [](double x) { return !std::isfinite(x) || IsOfFiles(std::abs(x)); };
+  const std::vector<char> have = TuplesWith(isSuch, arrays, tuples);
+  return std::find(have.begin(), have.end(), 1) != have.end();
+}
+
 std::vector<char> TuplesWith(bool (*isSuch)(double), const std::vector<vtkDataArray*>& arrays, vtkIdType tuples)
 {
   std::vector<char> have(tuples, 0);

@@ -23,6 +23,10 @@ std::string SuspectedFillValues(
 /// The same, where tuples with a number that is not finite are left out, as somebody counts them.
 std::string SuspectedFillValues(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples, const std::string& what);
 
+/// Whether a number is not finite or has a size that files are known to have where nothing was measured. Then the values of the whole surface have to be
+/// looked at together; else no piece has gaps.
+bool MayHaveGaps(const std::vector<vtkDataArray*>& arrays, vtkIdType tuples);
+
 /// Marks the tuples of which a number of an array is such: NaN, or not finite.
 std::vector<char> TuplesWith(bool (*isSuch)(double), const std::vector<vtkDataArray*>& arrays, vtkIdType tuples);
 

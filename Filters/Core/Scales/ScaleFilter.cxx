@@ -1,22 +1,16 @@
 #include "Scales/ScaleFilter.h"
 
-#include "Discretisations/MakeDiscretisation.h"
-#include "Discretisations/ScalarFunction.h"
-#include "Discretisations/VertexDiscretisation.h"
-#include "Mesh/SurfaceSizes.h"
 #include "Operators/ExteriorCalculus.h"
-#include "Operators/FunctionSource.h"
+#include "Scales/ScaleSystem.h"
 #include "Scales/SquaredStiffness.h"
 #include "Setup/SetupCache.h"
 #include "Support/Errors.h"
-#include "Support/Permutations.h"
 #include "Support/ShortText.h"
 #include "Support/Stopwatch.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -29,90 +23,8 @@ namespace
 /// Beyond so many times the largest eigenvalue, nothing but rounding is above the wavelength.
 constexpr double LargestShift = 1e15;
 
-/// A lower limit means a time budget: no factor takes over.
-constexpr int FewestIterationsBeforeFactor = 100;
-
 /// Shorter waves have an amplitude that is off by a twentieth or more (LengthOnMesh).
 constexpr double FewestCells = 4.0;
-
-FieldOptions OptionsOf(const ScaleFilterOptions& asked)
-{
-  FieldOptions options;
-  options.Field = DiscretisationOptions::OfFunctions();
-  if (asked.Quantity == ScaledQuantity::Vectors)
-  {
-    options.Field = {};
-    options.Field.N = 1;
-  }
-  options.Solver.Kind = MethodOf(asked.Solver.Kind).IsApproximation() ? SolverKind::Automatic : asked.Solver.Kind;
-  options.Solver.ExpectedSolves = asked.Solver.ExpectedSolves;
-  options.Solver.Sweeps = asked.Solver.Sweeps;
-  return options;
-}
-
-/// c^2 is a conductivity.
-std::unique_ptr<const Discretisation> FieldOf(const ScaleFilterOptions& asked, const FramedMesh& surface)
-{
-  const DiscretisationOptions field = OptionsOf(asked).Field;
-  if (asked.RelativeWavelengths.empty())
-  {
-    return MakeDiscretisation(field, surface);
-  }
-  std::vector<double> conductivity;
-  std::transform(asked.RelativeWavelengths.begin(), asked.RelativeWavelengths.end(), std::back_inserter(conductivity),
-    [](double relative) { return relative * relative; });
-  return std::make_unique<ScalarFunction>(surface, field.Areas, std::move(conductivity));
-}
-
-void CheckRelativeWavelengths(const ScaleFilterOptions& options, int vertices)
-{
-  const std::vector<double>& relative = options.RelativeWavelengths;
-  if (relative.empty())
-  {
-    return;
-  }
-  if (options.Quantity == ScaledQuantity::Vectors)
-  {
-    throw InvalidInput(
-      "vectors have relative wavelengths, and the scale filter knows them of functions alone; filter flows by their "
-      "parts, or give none");
-  }
-  if (relative.size() != static_cast<std::size_t>(vertices))
-  {
-    throw InvalidInput("there are " + std::to_string(relative.size()) + " relative wavelengths for " +
-      std::to_string(vertices) + " vertices; give one for each");
-  }
-  const auto wrong = std::find_if(
-    relative.begin(), relative.end(), [](double number) { return !(number > 0.0 && std::isfinite(number)); });
-  if (wrong != relative.end())
-  {
-    throw InvalidInput("the relative wavelength at vertex " + std::to_string(wrong - relative.begin()) + " is " +
-      ShortText(*wrong) + ", and must be positive and finite; repair it");
-  }
-}
-
-void CheckOptions(const ScaleFilterOptions& options, int vertices)
-{
-  if (options.Order != 1 && options.Order != 2)
-  {
-    throw InvalidInput(
-      "the order " + std::to_string(options.Order) + " of the scale filter is neither 1 nor 2; give one of them");
-  }
-  if (!options.Fixed.empty() && options.Quantity == ScaledQuantity::Vectors)
-  {
-    throw InvalidInput("vectors have fixed vertices, and the scale filter knows them of functions alone; give none");
-  }
-  CheckRelativeWavelengths(options, vertices);
-  for (std::size_t k = 0; k < options.Fixed.size(); ++k)
-  {
-    const int vertex = options.Fixed[k];
-    if (vertex < 0 || vertex >= vertices || (k > 0 && vertex <= options.Fixed[k - 1]))
-    {
-      throw InvalidInput("the fixed vertex " + std::to_string(vertex) + " is not one of the " +
-        std::to_string(vertices) + " vertices, or follows no smaller one; sort fixed vertices, and name each once");
-    }
-  }
-}
 
 void CheckWavelength(double wavelength)
 {
@@ -134,9 +46,8 @@ double MostOf(const std::vector<double>& relative)
 }
 
 /// A power of two near the largest magnitude, for cycles that compute in single precision.
-double UnitOf(const Vector<double>& numbers)
+double UnitOf(double largest)
 {
-  const double largest = numbers.size() > 0 ? numbers.cwiseAbs().maxCoeff() : 0.0;
   return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
 }
 
@@ -188,147 +99,77 @@ Vector<double> MeansOfFaces(const TriangleMesh& mesh, const Vector<double>& atVe
 class ScaleFilter::Internals
 {
 public:
-  Internals(SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context);
+  Internals(std::unique_ptr<ScaleSystem> system, const ScaleFilterOptions& options)
+    : System(std::move(system))
+    , Order(options.Order)
+    , LengthScale(options.LengthScale)
+    , Least(LeastOf(options.RelativeWavelengths))
+    , Most(MostOf(options.RelativeWavelengths))
+    , Squared(this->System->Stiffness(), this->System->Mass)
+  {
+  }
 
   SplitScales Split(
     const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context);
+  double Sum(double here) const { return this->System->Stiffness().Sum(here); }
 
-  const std::unique_ptr<const Discretisation> Field;
-  const Vector<double> Areas; ///< by vertex
-  PlannedSetup Setup;
+  const std::unique_ptr<ScaleSystem> System;
   SolveReport Report;
-
-  /// Makes the mean of a function zero on each component in which nothing is fixed.
-  void Centre(Vector<double>& quantity) const;
 
 private:
   void CheckQuantity(const Vector<double>& quantity) const;
   /// The system stage.
   void TakeWavelength(double wavelength, const ExecutionContext& context);
   void WarnOf(double wavelength);
-  /// Shift times mass, infinite where the function is fixed.
-  Vector<double> Diagonal(double shift) const;
-  /// The equations of the wavelength, preconditioned by \p inverse of R + s M; x is a start, or empty.
-  void Iterate(SolverMethod::Iteration& iterate, Preconditioner<double>& inverse, const Vector<double>& b,
-    const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
-  /// Goes on with a factor where cycles have stalled. If the factorisation fails, all stays as it was.
-  void GoOnWithFactor(
-    const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
   /// 1 / (2 c^2) or, of order 2, 1 / (sqrt 2 c^2), in units of the mean area. \param wavelength in the unit of the points.
   double ShiftOf(double wavelength) const;
   /// The right-hand side of the part above or below. \param smoothed R f. \return scaled as the matrix is.
   Vector<double> RightHandSide(
     bool isAbove, const Vector<double>& f, const Vector<double>& smoothed, const ExecutionContext& context) const;
-  /// The part above or below of an ordered, centred quantity of magnitude 1, the smaller one of the two.
+  /// The part above or below of the unknowns of a centred quantity of magnitude 1, the smaller one of the two.
   Vector<double> SolveForSmaller(
     const Vector<double>& f, bool& isAbove, const StoppingCriteria& stop, const ExecutionContext& context);
 
   const int Order;
   const double LengthScale;
-  const SolverOptions Options;
-  const SurfaceSizes Sizes;
   const double Least, Most;          ///< of relative wavelengths
-  const double MeanArea;             ///< of vertices
-  const std::vector<int> Components; ///< by vertex; empty for vectors, which have no means
-  const std::vector<int> FixedVertices;
-  std::vector<int> FixedUnknowns;               ///< these, in the order of the hierarchy
-  Vector<double> Mass;                          ///< by unknown in the order of the hierarchy, relative to the mean
-  double LargestEigenvalue = 0.0;               ///< of M^-1 R, about
-  std::unique_ptr<StiffnessOperator> Stiffness; ///< R, without the rows that are fixed
-  std::unique_ptr<StiffnessOperator> ShiftedStiffness; ///< R + s M
-  std::unique_ptr<SquaredStiffness> Squared;           ///< R M^-1 R + s^2 M
-  std::unique_ptr<StiffnessCycle> Inverse;             ///< of R + s M
-  std::unique_ptr<Preconditioner<double>> Factor;      ///< the same, as soon as cycles have stalled
-  double ShiftOfInverse = 0.0;                         ///< s of both
-  double Wavelength = 0.0;                             ///< that the equations have; 0: none
-  double Shift = 0.0;                                  ///< s
-  std::vector<std::string> Warnings;                   ///< of the wavelength
+  SquaredStiffness Squared;          ///< R M^-1 R + s^2 M
+  double Wavelength = 0.0;           ///< that the equations have; 0: none
+  double Shift = 0.0;                ///< s
+  std::vector<std::string> Warnings; ///< of the wavelength
 };
-
-ScaleFilter::Internals::Internals(
-  SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
-  : Field(FieldOf(options, setups.Surface))
-  , Areas(this->Field->AtVertices()->AreasOfVertices(context))
-  , Order(options.Order)
-  , LengthScale(options.LengthScale)
-  , Options(OptionsOf(options).Solver)
-  , Sizes(SizesOf(setups.Surface.Mesh))
-  , Least(LeastOf(options.RelativeWavelengths))
-  , Most(MostOf(options.RelativeWavelengths))
-  , MeanArea(this->Areas.mean())
-  , Components(
-      options.Quantity == ScaledQuantity::Function ? VertexComponents(setups.Surface.Mesh) : std::vector<int>())
-  , FixedVertices(options.Fixed)
-{
-  CheckOptions(options, setups.Surface.Mesh.NumberOfVertices());
-  // A set-up of a conductivity of its own serves nobody else.
-  SetupCache own(setups.Surface);
-  SetupCache& from = options.RelativeWavelengths.empty() ? setups : own;
-  this->Setup = from.Take(*this->Field, OptionsOf(options), nullptr, context);
-  const StiffnessHierarchy& hierarchy = *this->Setup.Levels->Hierarchy;
-  const int size = hierarchy.NumberOfUnknowns();
-  this->Mass.resize(size);
-  for (int i = 0; i < size; ++i)
-  {
-    this->Mass[i] = this->Areas[hierarchy.Order[i] / this->Field->UnknownsPerElement()] / this->MeanArea;
-    this->LargestEigenvalue = std::max(this->LargestEigenvalue, hierarchy.DiagonalOf(i) / this->Mass[i]);
-  }
-  const std::vector<int> places = dmg::Inverse(hierarchy.Order, context);
-  for (const int vertex : this->FixedVertices)
-  {
-    this->FixedUnknowns.push_back(places[vertex]);
-  }
-  this->Stiffness = hierarchy.Operator();
-  this->Stiffness->SetDiagonal(this->Diagonal(0.0), context);
-  this->ShiftedStiffness = hierarchy.Operator();
-  this->Squared = std::make_unique<SquaredStiffness>(*this->Stiffness, this->Mass);
-}
 
 void ScaleFilter::Internals::CheckQuantity(const Vector<double>& quantity) const
 {
-  if (quantity.size() != this->Field->NumberOfUnknowns())
+  const int numbers = this->System->NumbersPerVertex;
+  const Eigen::Index size = numbers * this->System->Areas.size();
+  if (quantity.size() != size)
   {
     throw InvalidInput("the quantity to be filtered has " + std::to_string(quantity.size()) + " numbers in place of " +
-      std::to_string(this->Field->NumberOfUnknowns()) + "; give " + std::to_string(this->Field->UnknownsPerElement()) +
-      " for each vertex");
+      std::to_string(size) + "; give " + std::to_string(numbers) + " for each vertex");
   }
-  for (Eigen::Index i = 0; i < quantity.size(); ++i)
+  for (Eigen::Index i = 0; i < size; ++i)
   {
     if (!std::isfinite(quantity[i]))
     {
-      throw InvalidInput("the quantity to be filtered is not finite at vertex " +
-        std::to_string(i / this->Field->UnknownsPerElement()) + "; repair it");
+      throw InvalidInput(
+        "the quantity to be filtered is not finite at vertex " + std::to_string(i / numbers) + "; repair it");
     }
   }
-}
-
-void ScaleFilter::Internals::Centre(Vector<double>& quantity) const
-{
-  if (!this->Components.empty())
-  {
-    FreeComponents(this->Components, this->FixedVertices).Centre(quantity, this->Areas);
-  }
-}
-
-Vector<double> ScaleFilter::Internals::Diagonal(double shift) const
-{
-  Vector<double> D = shift * this->Mass;
-  D(this->FixedUnknowns).setConstant(std::numeric_limits<double>::infinity());
-  return D;
 }
 
 double ScaleFilter::Internals::ShiftOf(double wavelength) const
 {
   const double c = wavelength / (2.0 * Pi);
-  return this->MeanArea / ((this->Order == 1 ? 2.0 : std::sqrt(2.0)) * c * c);
+  return this->System->MeanArea / ((this->Order == 1 ? 2.0 : std::sqrt(2.0)) * c * c);
 }
 
 void ScaleFilter::Internals::WarnOf(double wavelength)
 {
   this->Warnings.clear();
   const double shortest = this->Least * wavelength;
-  const double cells = shortest / this->LengthScale / this->Sizes.MeanEdge;
-  const double longest = 2.0 * std::sqrt(this->Sizes.Area) * this->LengthScale;
+  const double cells = shortest / this->LengthScale / this->System->Sizes.MeanEdge;
+  const double longest = 2.0 * std::sqrt(this->System->Sizes.Area) * this->LengthScale;
   if (cells < FewestCells)
   {
     const double kept = AmplitudeBelow(cells, LengthOnMesh(cells), this->Order);
@@ -355,28 +196,12 @@ void ScaleFilter::Internals::TakeWavelength(double wavelength, const ExecutionCo
   }
   const Stopwatch watch;
   this->Wavelength = 0.0;
-  this->Shift = std::min(this->ShiftOf(wavelength / this->LengthScale), LargestShift * this->LargestEigenvalue);
-  this->ShiftOfInverse = std::max(this->Shift, this->ShiftOf(2.0 * Pi * this->Sizes.Diagonal() / this->Least));
-  this->ShiftedStiffness->SetDiagonal(this->Diagonal(this->Shift), context);
-  this->Squared->SetShift(this->Shift);
-  const Vector<double> D = this->Diagonal(this->ShiftOfInverse);
-  this->Factor.reset();
-  std::unique_ptr<StiffnessCycle> inverse = std::move(this->Inverse); // which an error makes unusable
-  if (inverse)
-  {
-    inverse->Update(D, context);
-  }
-  else
-  {
-    inverse = this->Setup.Choice.Method->MakePreconditioner(*this->Setup.Levels, D, this->Options, context);
-  }
-  this->Inverse = std::move(inverse);
+  this->Shift = std::min(this->ShiftOf(wavelength / this->LengthScale), LargestShift * this->System->LargestEigenvalue);
+  this->Squared.SetShift(this->Shift);
   this->WarnOf(wavelength);
   this->Report = {};
-  this->Report.Solver = this->Setup.Choice.Method->Name +
-    (this->Setup.Choice.Method->NeedsLevels ? " on " + this->Setup.Levels->Name : "") + this->Setup.Choice.Reason;
-  this->Report.Levels = this->Inverse->Levels();
-  this->Report.Bytes = this->Setup.Levels->Bytes() + this->Inverse->Bytes();
+  const double ofLongest = this->ShiftOf(2.0 * Pi * this->System->Sizes.Diagonal() / this->Least);
+  this->System->SetShift(this->Shift, std::max(this->Shift, ofLongest), this->Report, context);
   this->Report.PrepareSeconds = watch.Seconds();
   this->Wavelength = wavelength;
 }
@@ -386,96 +211,53 @@ Vector<double> ScaleFilter::Internals::RightHandSide(
 {
   if (!isAbove)
   {
-    return std::pow(this->Shift, this->Order) * this->Mass.cwiseProduct(f);
+    return std::pow(this->Shift, this->Order) * this->System->Mass.cwiseProduct(f);
   }
   if (this->Order == 1)
   {
     return smoothed;
   }
   Vector<double> twice;
-  this->Squared->ApplySquare(f, twice, context);
+  this->Squared.ApplySquare(f, twice, context);
   return twice;
-}
-
-void ScaleFilter::Internals::Iterate(SolverMethod::Iteration& iterate, Preconditioner<double>& inverse,
-  const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
-{
-  if (this->Order == 1)
-  {
-    iterate(*this->ShiftedStiffness, inverse, b, stop, x, this->Report, context, nullptr);
-    return;
-  }
-  SquaredInverse twice(inverse, this->Mass);
-  iterate(*this->Squared, twice, b, stop, x, this->Report, context, nullptr);
-}
-
-void ScaleFilter::Internals::GoOnWithFactor(
-  const Vector<double>& b, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
-{
-  try
-  {
-    if (!this->Factor)
-    {
-      this->Factor = this->Setup.Levels->Hierarchy->Factor(this->Diagonal(this->ShiftOfInverse), context);
-    }
-  }
-  catch (const SolverFailure&)
-  {
-    return;
-  }
-  this->Report.Warnings = this->Warnings;
-  this->Iterate(*MethodOf(SolverKind::Cholesky).Iterate, *this->Factor, b, stop, x, context);
-  this->Report.Warnings.push_back(
-    "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
 }
 
 /// The part above is solved for if something is fixed: its equations see the fixed values, and are zero there.
 Vector<double> ScaleFilter::Internals::SolveForSmaller(
-  const Vector<double>& f, bool& isAbove, const StoppingCriteria& asked, const ExecutionContext& context)
+  const Vector<double>& f, bool& isAbove, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   Vector<double> Rf;
-  this->Stiffness->Apply(f, Rf, context);
-  isAbove = !this->FixedUnknowns.empty() || f.dot(Rf) < this->Shift * f.dot(this->Mass.cwiseProduct(f));
-  const Vector<double> b = this->RightHandSide(isAbove, f, Rf, context);
+  const double smoothness = this->System->Stiffness().Apply(f, Rf, context);
+  const double square = this->Sum(f.dot(this->System->Mass.cwiseProduct(f)));
+  isAbove = this->System->HasFixed || smoothness < this->Shift * square;
   this->Report.Warnings = this->Warnings;
-  Vector<double> x;
-  if (!this->Factor)
-  {
-    StoppingCriteria stop = asked;
-    stop.MayEstimate = !this->Setup.Choice.Method->IsDirect;
-    this->Iterate(*this->Setup.Choice.Method->Iterate, *this->Inverse, b, stop, x, context);
-  }
-  const bool hasStalled = this->Setup.Choice.Method->HasFallback && !this->Report.Converged &&
-    !this->Report.EndedByRounding && asked.MaximumIterations >= FewestIterationsBeforeFactor;
-  if (this->Factor || hasStalled)
-  {
-    this->GoOnWithFactor(b, asked, x, context);
-  }
-  return x;
+  const bool isSquared = this->Order == 2;
+  const LinearOperator<double>& shifted = this->System->Shifted();
+  return this->System->Solve(isSquared ? this->Squared : shifted, isSquared,
+    this->RightHandSide(isAbove, f, Rf, context), stop, this->Report, context);
 }
 
 SplitScales ScaleFilter::Internals::Split(
   const Vector<double>& quantity, double wavelength, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   CheckWavelength(wavelength);
-  this->CheckQuantity(quantity);
-  if (this->FixedUnknowns.size() == static_cast<std::size_t>(quantity.size()))
+  this->System->Together([&] { this->CheckQuantity(quantity); });
+  if (!this->System->HasUnknowns)
   {
     this->Report = {};
     this->Report.Converged = true;
     return { quantity, Vector<double>::Zero(quantity.size()) };
   }
   this->TakeWavelength(wavelength, PartOfContext(context, 0.0, 0.4));
-  const std::vector<int>& order = this->Setup.Levels->Hierarchy->Order;
-  const double unit = UnitOf(quantity);
+  const double unit = UnitOf(this->System->Max(quantity.size() > 0 ? quantity.cwiseAbs().maxCoeff() : 0.0));
   Vector<double> varying = quantity / unit;
-  this->Centre(varying);
+  this->System->Centre(varying);
   bool isAbove = false;
-  Vector<double> part =
-    Scattered(this->SolveForSmaller(Gathered(varying, order, context), isAbove, stop, PartOfContext(context, 0.4, 1.0)),
-      order, context);
-  this->Centre(part);
-  if (!part.allFinite())
+  const PartOfContext solving(context, 0.4, 1.0);
+  Vector<double> part = this->System->QuantityOf(
+    this->SolveForSmaller(this->System->UnknownsOf(varying, context), isAbove, stop, solving), context);
+  this->System->Centre(part);
+  if (!std::isfinite(this->Sum(part.allFinite() ? 0.0 : std::numeric_limits<double>::infinity())))
   {
     throw UnexpectedFailure("the filtered quantity is not finite");
   }
@@ -499,7 +281,12 @@ ScaleFilter::ScaleFilter(const FramedMesh& surface, const ScaleFilterOptions& op
 }
 
 ScaleFilter::ScaleFilter(SetupCache& setups, const ScaleFilterOptions& options, const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(setups, options, context))
+  : ScaleFilter(SystemOfSurface(setups, options, context), options)
+{
+}
+
+ScaleFilter::ScaleFilter(std::unique_ptr<ScaleSystem> system, const ScaleFilterOptions& options)
+  : Internal(std::make_unique<Internals>(std::move(system), options))
 {
 }
 
@@ -516,13 +303,37 @@ SplitScales ScaleFilter::Split(
 Vector<double> ScaleFilter::Varying(const Vector<double>& quantity) const
 {
   Vector<double> varying = quantity;
-  this->Internal->Centre(varying);
+  this->Internal->System->Centre(varying);
   return varying;
+}
+
+double ScaleFilter::Energy(const Vector<double>& quantity) const
+{
+  const Vector<double>& areas = this->Areas();
+  const Eigen::Index numbers = this->Internal->System->NumbersPerVertex;
+  double energy = 0.0;
+  for (Eigen::Index i = 0; i < quantity.size(); ++i)
+  {
+    energy += areas[i / numbers] * quantity[i] * quantity[i];
+  }
+  return this->Internal->Sum(energy);
+}
+
+double ScaleFilter::Mean(const Vector<double>& function) const
+{
+  const Vector<double>& areas = this->Areas();
+  const double integral = this->Internal->Sum(areas.dot(function));
+  return integral / this->Internal->Sum(areas.sum());
 }
 
 const Vector<double>& ScaleFilter::Areas() const
 {
-  return this->Internal->Areas;
+  return this->Internal->System->Areas;
+}
+
+const SurfaceSizes& ScaleFilter::Sizes() const
+{
+  return this->Internal->System->Sizes;
 }
 
 const SolveReport& ScaleFilter::Report() const
@@ -532,7 +343,7 @@ const SolveReport& ScaleFilter::Report() const
 
 bool ScaleFilter::HasNewSetup() const
 {
-  return this->Internal->Setup.IsNew;
+  return this->Internal->System->HasNewSetup;
 }
 
 }

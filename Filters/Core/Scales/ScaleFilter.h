@@ -2,6 +2,7 @@
 #define dmgScaleFilter_h
 
 #include "Mesh/FramedMesh.h"
+#include "Mesh/SurfaceSizes.h"
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/SolverOptions.h"
@@ -14,6 +15,7 @@
 namespace dmg
 {
 
+class ScaleSystem;
 class SetupCache;
 
 /// The quantities that are filtered.
@@ -85,6 +87,9 @@ public:
   /// \param setups of the surface, which is borrowed.
   explicit ScaleFilter(
     SetupCache& setups, const ScaleFilterOptions& options = {}, const ExecutionContext& context = SerialContext());
+  /// A filter of any equations of ScaleSystem, as those of FilterInPieces.
+  /// \param options of the system.
+  ScaleFilter(std::unique_ptr<ScaleSystem> system, const ScaleFilterOptions& options);
   ~ScaleFilter();
   ScaleFilter(ScaleFilter&&) noexcept;
 
@@ -101,8 +106,13 @@ public:
 
   /// A function without its means over components, in which nothing is fixed: all that can be above a wavelength. Vectors as they are.
   Vector<double> Varying(const Vector<double>& quantity) const;
+  /// The integral of the square of a quantity.
+  double Energy(const Vector<double>& quantity) const;
+  /// The mean of a function over the surface.
+  double Mean(const Vector<double>& function) const;
   /// M, one area per vertex: the weights of means and energies.
   const Vector<double>& Areas() const;
+  const SurfaceSizes& Sizes() const;
   /// The report of the last split, empty before the first.
   const SolveReport& Report() const;
   /// Whether this filter has made a set-up of the surface; else it was there.

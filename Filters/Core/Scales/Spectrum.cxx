@@ -25,18 +25,6 @@ void CheckBounds(const Vector<double>& bounds)
   }
 }
 
-double EnergyOf(const ScaleFilter& filter, const Vector<double>& x)
-{
-  const Vector<double>& areas = filter.Areas();
-  const Eigen::Index parts = x.size() / areas.size();
-  double energy = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); ++i)
-  {
-    energy += areas[i / parts] * x[i] * x[i];
-  }
-  return energy;
-}
-
 }
 
 Vector<double> SpectrumBounds(double from, double to, int rows)
@@ -90,13 +78,13 @@ std::vector<Spectrum> FindSpectra(ScaleFilter& filter, const std::vector<Vector<
     {
       const double done = static_cast<double>(k * size + i) * step;
       above(k, i) =
-        EnergyOf(filter, filter.Split(quantities[i], bounds[k], stop, PartOfContext(context, done, done + step)).Above);
+        filter.Energy(filter.Split(quantities[i], bounds[k], stop, PartOfContext(context, done, done + step)).Above);
     }
   }
   std::vector<Spectrum> spectra;
   for (Eigen::Index i = 0; i < size; ++i)
   {
-    spectra.push_back(SpectrumOf(bounds, above.col(i), EnergyOf(filter, filter.Varying(quantities[i]))));
+    spectra.push_back(SpectrumOf(bounds, above.col(i), filter.Energy(filter.Varying(quantities[i]))));
   }
   return spectra;
 }

@@ -3,7 +3,6 @@
 
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
-#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/ExecutionContext.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
@@ -17,7 +16,7 @@ class SquaredStiffness : public LinearOperator<double>
 public:
   /// \param stiffness R, with a diagonal of zero, infinite where unknowns are fixed at zero; borrowed.
   /// \param mass > 0, one per unknown; borrowed.
-  SquaredStiffness(const StiffnessOperator& stiffness, const Vector<double>& mass)
+  SquaredStiffness(const LinearOperator<double>& stiffness, const Vector<double>& mass)
     : R(stiffness)
     , Mass(mass)
   {
@@ -45,18 +44,20 @@ public:
   {
     this->ApplySquare(x, y, context);
     const double square = this->Shift * this->Shift;
-    return SumOverBlocks<double>(this->Size(), context,
+    return this->R.Sum(SumOverBlocks<double>(this->Size(), context,
       [this, square, &x, &y](int first, int last)
       {
         const int count = last - first;
         y.segment(first, count).array() +=
           square * this->Mass.segment(first, count).array() * x.segment(first, count).array();
         return x.segment(first, count).dot(y.segment(first, count));
-      });
+      }));
   }
 
+  double Sum(double here) const override { return this->R.Sum(here); }
+
 private:
-  const StiffnessOperator& R;
+  const LinearOperator<double>& R;
   const Vector<double>& Mass;
   double Shift = 0.0;
   mutable Vector<double> Laplacian; ///< M^-1 R x

@@ -1,5 +1,6 @@
 #include "Pieces/Solvers/EquationsInPieces.h"
 
+#include "Pieces/Solvers/OperatorsInPieces.h"
 #include "Solvers/LimitedPenalty.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
@@ -39,43 +40,6 @@ private:
   PetscMultigrid& Multigrid;
   const int NumberOfUnknowns;
 };
-
-class CycleOfMultigrid : public Preconditioner<double>
-{
-public:
-  explicit CycleOfMultigrid(PetscMultigrid& multigrid)
-    : Multigrid(multigrid)
-  {
-  }
-
-  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
-  {
-    z = AsPairs(this->Multigrid.Precondition(AsComplex(r)));
-  }
-
-private:
-  PetscMultigrid& Multigrid;
-};
-
-/// All ranks stop as soon as one of them was asked to.
-class ContextOfRanks : public PartOfContext
-{
-public:
-  ContextOfRanks(const Ranks& ranks, const ExecutionContext& context)
-    : PartOfContext(context, 0.0, 1.0)
-    , All(ranks)
-  {
-  }
-  bool IsCancelled() const override { return this->All.Any(this->PartOfContext::IsCancelled()); }
-
-private:
-  const Ranks& All;
-};
-
-SumOverProcesses SumOf(const Ranks& ranks)
-{
-  return [&ranks](double* numbers, int size) { ranks.Sum(numbers, size); };
-}
 
 /// An unknown is a complex number, two real ones.
 MeasureOfFields MeasureOf(const SetupInPieces& setup)
@@ -257,7 +221,7 @@ void EquationsInPieces::FindSmoothest(Vector<double>& smoothest, const StoppingC
     start[i] = smoothest.size() > 0 ? smoothest[i] : 0.0;
   }
   const MatrixOfMultigrid matrix(multigrid, static_cast<int>(pairs.size()));
-  CycleOfMultigrid cycle(multigrid);
+  CycleInPieces cycle(multigrid, 2);
   std::vector<IterationReport> iterations = this->Smoothest.FindSmoothest(
     matrix, cycle, std::move(start), stop, pairs, report, ContextOfRanks(this->Setup.Piece.Everyone(), context));
   x = AsComplex(pairs);

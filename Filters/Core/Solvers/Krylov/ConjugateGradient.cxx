@@ -24,12 +24,12 @@ void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p, 
     });
 }
 
-/// x += alpha p and r -= alpha q. \return the norm of r that the monitor wants.
+/// x += alpha p and r -= alpha q. \return the square of the norm of r that the monitor wants, as this process has it.
 template <class Scalar>
 double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x, Vector<Scalar>& r,
   const IterationMonitor<Scalar>& monitor, const ExecutionContext& context)
 {
-  return std::sqrt(SumOverBlocks<double>(static_cast<int>(p.size()), context,
+  return SumOverBlocks<double>(static_cast<int>(p.size()), context,
     [&, alpha](int first, int last)
     {
       double sum = 0.0;
@@ -40,7 +40,7 @@ double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vect
         sum += monitor.SquareOf(i, r[i]);
       }
       return sum;
-    }));
+    });
 }
 
 }
@@ -104,7 +104,7 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
     }
     oldProduct = product;
     const double alpha = product / energy;
-    iteration.Append(Step(alpha, p, image, x, r, iteration, context));
+    iteration.Append(std::sqrt(A.Sum(Step(alpha, p, image, x, r, iteration, context))));
     isComputed = iteration.SeemsConverged();
     if (isComputed)
     {

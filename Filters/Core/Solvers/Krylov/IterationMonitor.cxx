@@ -47,8 +47,8 @@ IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix,
   {
     measure->Check(static_cast<int>(this->b.size()));
   }
-  this->NormOfB = std::sqrt(SquaredNorm(this->b, context));
-  if (!std::isfinite(this->NormOfB) || !std::isfinite(SquaredNorm(this->x, context)))
+  this->NormOfB = std::sqrt(this->A.Sum(SquaredNorm(this->b, context)));
+  if (!std::isfinite(this->NormOfB) || !std::isfinite(this->A.Sum(SquaredNorm(this->x, context))))
   {
     throw InvalidInput("the right-hand side or the start holds numbers that are not finite; "
                        "check the prescribed values");
@@ -91,7 +91,7 @@ template <class Scalar>
 double IterationMonitor<Scalar>::MeasureRatio(const Vector<Scalar>& r, Vector<Scalar>& z)
 {
   this->B.Apply(r, z, this->Context);
-  const double product = Eigen::numext::real(Dot(r, z, this->Context));
+  const double product = this->A.Sum(Eigen::numext::real(Dot(r, z, this->Context)));
   this->IsMeasured = product > 0.0 || this->Norm == 0.0;
   if (product > 0.0 && this->Norm > 0.0)
   {
@@ -212,7 +212,7 @@ double IterationMonitor<Scalar>::EnergyNorm(const Vector<Scalar>& r) const
       return Eigen::numext::real(
         this->x.segment(first, count).dot(this->b.segment(first, count) - r.segment(first, count)));
     });
-  return std::sqrt(std::max(0.0, square));
+  return std::sqrt(std::max(0.0, this->A.Sum(square)));
 }
 
 template <class Scalar>
@@ -243,7 +243,7 @@ double IterationMonitor<Scalar>::SubtractFromB(Vector<Scalar>& r) const
 template <class Scalar>
 double IterationMonitor<Scalar>::NormOf(const Vector<Scalar>& r) const
 {
-  return std::sqrt(SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
+  const double square = SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
     [this, &r](int first, int last)
     {
       double sum = 0.0;
@@ -252,7 +252,8 @@ double IterationMonitor<Scalar>::NormOf(const Vector<Scalar>& r) const
         sum += this->SquareOf(i, r[i]);
       }
       return sum;
-    }));
+    });
+  return std::sqrt(this->A.Sum(square));
 }
 
 template <class Scalar>
