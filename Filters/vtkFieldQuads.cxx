@@ -102,6 +102,7 @@ int vtkFieldQuads::RequestData(
     dmg::CheckRanges({
       { "Number Of Quads", this->NumberOfQuads, 1, 900000 },
       { "Edge Length", this->EdgeLength, 0, 1e40 },
+      { "Adaptivity", this->Adaptivity, 0, 1 },
       { "Number Of Directions", this->NumberOfDirections, 0, 8 },
       { "Feature Angle", this->FeatureAngle, 0, 180 },
       { "Symmetry", this->Symmetry, NoSymmetry, Plane },
@@ -111,6 +112,7 @@ int vtkFieldQuads::RequestData(
     dmg::QuadOptions options;
     options.NumberOfQuads = this->NumberOfQuads;
     options.EdgeLength = this->EdgeLength;
+    options.Adaptivity = this->Adaptivity;
     options.AlignBoundary = this->AlignBoundary;
     options.AlignSharpEdges = this->AlignSharpEdges;
     options.FeatureAngle = this->FeatureAngle;
@@ -148,6 +150,7 @@ void vtkFieldQuads::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfQuads: " << this->NumberOfQuads << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "Adaptivity: " << this->Adaptivity << "\n";
   os << indent << "AlignBoundary: " << (this->AlignBoundary ? "On" : "Off") << "\n";
   os << indent << "AlignSharpEdges: " << (this->AlignSharpEdges ? "On" : "Off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";

@@ -18,7 +18,7 @@
  *   SetInputArrayToProcess(1, 0, 0, association, name)
  *
  * chooses an array of positive numbers on cells or points, the length of edges there relative to other places. By default it is the same
- * everywhere.
+ * everywhere. A field that is found here turns with the sizes, so that lengths vary as much as they should; a given one leaves room for a part of that.
  *
  * @section vtkFieldQuads-Outputs Outputs
  *
@@ -86,6 +86,16 @@ public:
    */
   vtkSetMacro(EdgeLength, double);
   vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much shorter edges are where the surface bends, at the same number of quads. 0, the default, is not at all; with 1, they are as long as the
+   * radius of the larger curvature tells, down to about an eighth of those on flat parts. Sharp edges that become edges of quads do not count. Times the array of
+   * sizes, where there is one. Range 0 to 1.
+   */
+  vtkSetMacro(Adaptivity, double);
+  vtkGetMacro(Adaptivity, double);
   ///@}
 
   ///@{
@@ -192,6 +202,7 @@ protected:
 private:
   int NumberOfQuads = 4000;
   double EdgeLength = 0.0;
+  double Adaptivity = 0.0;
   bool AlignBoundary = true;
   bool AlignSharpEdges = true;
   bool CutForTextures = false;

@@ -14,6 +14,7 @@
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -118,11 +119,13 @@ void ClearSingularVertices(Field& field)
 class FieldSolver::Internals
 {
 public:
-  explicit Internals(std::shared_ptr<const FramedMesh> surface)
+  explicit Internals(
+    std::shared_ptr<const FramedMesh> surface, std::unique_ptr<const VertexConnection> connection = nullptr)
     : Shared(std::move(surface))
     , Setups(this->Surface)
     , Singular(this->Surface, this->Setups)
     , ConstraintsOfSurface(this->Surface)
+    , GivenConnection(std::move(connection))
   {
   }
 
@@ -146,7 +149,8 @@ public:
   SetupCache Setups;
   SingularStages Singular;
   ConstraintsOnMesh ConstraintsOfSurface;
-  std::shared_ptr<const dmg::Discretisation> Discretisation; ///< of the solve that goes on
+  const std::unique_ptr<const VertexConnection> GivenConnection; ///< null: that of the surface
+  std::shared_ptr<const dmg::Discretisation> Discretisation;     ///< of the solve that goes on
   StageCounts Counts;
   Field Last; ///< whose directions may be those of an earlier solution
 
@@ -179,7 +183,7 @@ void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& opti
 {
   if (!this->Discretisation || !(this->OptionsOfDiscretisation == OptionsThatCount(options)))
   {
-    this->Discretisation = MakeDiscretisation(options, this->Surface);
+    this->Discretisation = MakeDiscretisation(options, this->Surface, this->GivenConnection.get());
     this->OptionsOfDiscretisation = OptionsThatCount(options);
   }
 }
@@ -373,6 +377,20 @@ FieldSolver::FieldSolver(TriangleMesh mesh, const ExecutionContext& context)
 FieldSolver::FieldSolver(std::shared_ptr<const FramedMesh> surface)
   : Internal(std::make_unique<Internals>(std::move(surface)))
 {
+}
+
+FieldSolver::FieldSolver(std::shared_ptr<const FramedMesh> surface, const std::vector<double>& lengths)
+{
+  const bool arePositive =
+    std::all_of(lengths.begin(), lengths.end(), [](double length) { return length > 0.0 && std::isfinite(length); });
+  if (!arePositive || static_cast<int>(lengths.size()) != surface->Mesh.NumberOfVertices())
+  {
+    throw InvalidInput("there are " + std::to_string(lengths.size()) + " lengths for " +
+      std::to_string(surface->Mesh.NumberOfVertices()) + " vertices, or one is not positive; give one for each");
+  }
+  auto connection = std::make_unique<VertexConnection>(*surface);
+  connection->SetLengths(surface->Mesh, lengths);
+  this->Internal = std::make_unique<Internals>(std::move(surface), std::move(connection));
 }
 
 FieldSolver::~FieldSolver() = default;

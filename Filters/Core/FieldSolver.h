@@ -10,6 +10,7 @@
 #include "Support/ExecutionContext.h"
 
 #include <memory>
+#include <vector>
 
 namespace dmg
 {
@@ -43,6 +44,10 @@ public:
   explicit FieldSolver(TriangleMesh mesh, const ExecutionContext& context = SerialContext());
   /// Shares a surface with others. \pre not null.
   explicit FieldSolver(std::shared_ptr<const FramedMesh> surface);
+  /// The same in the metric of the surface over the squares of lengths, in which quads with sides of these lengths are unit squares: the smoothest
+  /// field is another one (VertexConnection::SetLengths). Of power fields at points without prescribed singularities; others do not heed it.
+  /// \param lengths by vertex, > 0. \throw InvalidInput they are others.
+  FieldSolver(std::shared_ptr<const FramedMesh> surface, const std::vector<double>& lengths);
   ~FieldSolver();
 
   const FramedMesh& Surface() const;

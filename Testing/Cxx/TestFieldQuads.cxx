@@ -353,6 +353,36 @@ TEST(FieldQuads, TakeSizesFromArray)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
+TEST(FieldQuads, AreSmallerWhereTheSurfaceBends)
+{
+  Surface shape = IrregularSphere(4, 5);
+  shape.V.col(2) *= 3.0;
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(PolyDataOf(shape));
+  filter->SetNumberOfQuads(800);
+  const auto atTips = [&filter]
+  {
+    filter->Update();
+    int count = 0;
+    for (vtkIdType point = 0; point < filter->GetOutput()->GetNumberOfPoints(); ++point)
+    {
+      count += std::abs(filter->GetOutput()->GetPoint(point)[2]) > 2.7 ? 1 : 0;
+    }
+    return count;
+  };
+  const int even = atTips();
+  EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), "RatioOfSizes"), (std::vector<double>{ 1.0, 1.0 }));
+  filter->SetAdaptivity(1.0);
+  EXPECT_GT(atTips(), 1.4 * even);
+  const std::vector<double> ratios = Values(filter->GetOutput()->GetFieldData(), "RatioOfSizes");
+  EXPECT_GT(ratios[0], 1.5);
+  EXPECT_GT(ratios[1], 1.3);
+  filter->SetAdaptivity(2.0);
+  const Messages messages(filter);
+  filter->Update();
+  EXPECT_NE(messages.Error().find("Adaptivity"), std::string::npos);
+}
+
 // Data of a user: cells where nothing was measured, and an array of another dataset.
 TEST(FieldQuads, HandArraysOnThatAreNotFiniteAndLeaveOutShortOnes)
 {

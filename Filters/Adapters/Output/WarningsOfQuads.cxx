@@ -87,13 +87,14 @@ std::string OfLosses(const QuadReport& report, const QuadOptions& options, bool 
     : std::string();
 }
 
-std::string OfSizes(const QuadReport& report)
+/// Sizes that were given are compared. Those by curvature are a wish that varies more than quads can.
+std::string OfSizes(const QuadReport& report, const QuadOptions& options)
 {
   constexpr double Least = 0.9;
-  return report.ReachedRatio >= Least * report.AskedRatio
+  return options.Sizes.size() == 0 || options.Adaptivity > 0.0 || report.ReachedRatio >= Least * report.AskedRatio
     ? std::string()
     : "sizes vary by " + ShortText(report.AskedRatio) + ", and lengths of edges by " + ShortText(report.ReachedRatio) +
-      ", as a field that was made for equal sizes allows";
+      ", as the field and aligned lines allow";
 }
 
 std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
@@ -129,8 +130,8 @@ std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& opt
 {
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
-    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report), OfDeviation(mesh.Report, options),
-    OfInversion(mesh.Report), OfSymmetry(mesh.Report) };
+    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report, options),
+    OfDeviation(mesh.Report, options), OfInversion(mesh.Report), OfSymmetry(mesh.Report) };
 }
 
 }

@@ -10,13 +10,25 @@ namespace dmg
 
 Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from, double maximum)
 {
-  using Reached = std::pair<double, int>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
-  Vector<double> distances = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
+  Vector<double> starts = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
   for (const int vertex : from)
   {
-    distances[vertex] = 0.0;
-    front.emplace(0.0, vertex);
+    starts[vertex] = 0.0;
+  }
+  return DistancesAlongEdges(mesh, std::move(starts), maximum);
+}
+
+Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, Vector<double> starts, double maximum)
+{
+  using Reached = std::pair<double, int>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+  Vector<double>& distances = starts;
+  for (int vertex = 0; vertex < distances.size(); ++vertex)
+  {
+    if (distances[vertex] < std::numeric_limits<double>::infinity())
+    {
+      front.emplace(distances[vertex], vertex);
+    }
   }
   while (!front.empty())
   {
@@ -42,7 +54,7 @@ Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<i
         visit(mesh.Tail(TriangleMesh::Previous(h)));
       });
   }
-  return distances;
+  return starts;
 }
 
 std::vector<int> FarthestVertices(const Vector<double>& distances, const std::vector<int>& components)

@@ -17,6 +17,11 @@ namespace dmg
 Vector<double> DistancesAlongEdges(
   const TriangleMesh& mesh, const std::vector<int>& from, double maximum = std::numeric_limits<double>::infinity());
 
+/// The least of a start and the path from there, for each vertex: the largest function that is at most the starts and whose slope along edges is at most 1.
+/// \param starts #V, infinite where no path starts.
+Vector<double> DistancesAlongEdges(
+  const TriangleMesh& mesh, Vector<double> starts, double maximum = std::numeric_limits<double>::infinity());
+
 /// \param distances #V.
 /// \param components #V, the number of the connected component of each vertex, from 0 on.
 /// \return for each component, the vertex of the largest distance, the first of several.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace dmg
 {
@@ -11,6 +12,8 @@ namespace
 {
 
 constexpr int Grain = 4096;
+/// Faces of less height, over their side, have no derivative across it.
+constexpr double ThinnestFace = 1e-6;
 
 }
 
@@ -79,6 +82,31 @@ void VertexConnection::SetPolarAngles(const FramedMesh& surface, int vertex)
       this->PolarAngles[h] += zero;
       this->TurnsFromFaces[h] *= turnOfZero;
     });
+}
+
+void VertexConnection::SetLengths(const TriangleMesh& mesh, const std::vector<double>& lengths)
+{
+  this->Turns.assign(this->PolarAngles.size(), 0.0);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const int next = TriangleMesh::Next(h), twin = mesh.Twin(h);
+    const Vector3 side = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
+    const Vector3 toApex = mesh.Position(mesh.Head(next)) - mesh.Position(mesh.Tail(h));
+    const double height = side.cross(toApex).norm() / std::max(side.squaredNorm(), std::numeric_limits<double>::min());
+    if (!(height > ThinnestFace))
+    {
+      continue;
+    }
+    const double along = side.dot(toApex) / side.squaredNorm(); // the foot of the apex, over the side
+    const double atTail = std::log(lengths[mesh.Tail(h)]), atHead = std::log(lengths[mesh.Head(h)]);
+    // The derivative to the left of the linear function on this face, times the length of the side.
+    const double toTheLeft = (std::log(lengths[mesh.Head(next)]) - atTail - along * (atHead - atTail)) / height;
+    this->Turns[h] -= (twin >= 0 ? 0.5 : 1.0) * toTheLeft;
+    if (twin >= 0)
+    {
+      this->Turns[twin] += 0.5 * toTheLeft;
+    }
+  }
 }
 
 }

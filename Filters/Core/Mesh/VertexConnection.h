@@ -36,14 +36,19 @@ public:
   double Transport(int halfedge) const
   {
     const int next = TriangleMesh::Next(halfedge);
-    return this->PolarAngles[next] + this->CornerAngles[next] + Pi - this->PolarAngles[halfedge];
+    return this->PolarAngles[next] + this->CornerAngles[next] + Pi - this->PolarAngles[halfedge] + this->Turn(halfedge);
   }
   /// The curvature of a face: what its stretched angles exceed pi by. Carried once around the face, counter-clockwise, a
   /// direction turns by it. On a closed surface all faces sum to 2 pi times the Euler characteristic.
   double Curvature(int face) const
   {
-    return this->CornerAngles[3 * face] + this->CornerAngles[3 * face + 1] + this->CornerAngles[3 * face + 2] - Pi;
+    return this->CornerAngles[3 * face] + this->CornerAngles[3 * face + 1] + this->CornerAngles[3 * face + 2] - Pi +
+      this->Turn(3 * face) + this->Turn(3 * face + 1) + this->Turn(3 * face + 2);
   }
+  /// Takes the connection of the metric in which lengths at each vertex count over its own: while a direction is carried along a path, it turns by
+  /// the integral of the derivative of log(length) to the right of the path. Angles stay.
+  /// \param lengths #V, > 0. \param mesh of this connection. Cost: O(#F).
+  void SetLengths(const TriangleMesh& mesh, const std::vector<double>& lengths);
   /// Carries directions from the face of a halfedge (FaceFrames) into the frame of its tail: the bisectors of the corner
   /// coincide.
   Complex TurnFromFace(int halfedge) const { return this->TurnsFromFaces[halfedge]; }
@@ -68,12 +73,14 @@ public:
   }
 
 private:
+  double Turn(int halfedge) const { return this->Turns.empty() ? 0.0 : this->Turns[halfedge]; }
   void SetCorners(const FramedMesh& surface, const ExecutionContext& context);
   void SetPolarAngles(const FramedMesh& surface, int vertex);
 
   Unfilled<double> PolarAngles;     // per halfedge
   Unfilled<double> CornerAngles;    // per halfedge
   Unfilled<Complex> TurnsFromFaces; // per halfedge
+  std::vector<double> Turns;        // per halfedge, besides the surface's own transport; empty: none
 };
 
 }

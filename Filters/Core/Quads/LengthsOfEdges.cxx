@@ -1,5 +1,7 @@
 #include "Quads/LengthsOfEdges.h"
 
+#include "Quads/SizesOfQuads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,9 +27,16 @@ LengthsOfEdges FindLengthsOfEdges(
   sizes /= sizes.mean(); // keeps squares in range
   LengthsOfEdges lengths;
   lengths.Mean = options.EdgeLength > 0.0 ? options.EdgeLength : std::sqrt(areas.sum() / options.NumberOfQuads);
-  // A square of side Mean on average: as many quads as if all sizes were the same.
-  sizes *= std::sqrt((areas.array() / sizes.array().square()).sum() / areas.sum());
   lengths.OnFaces = lengths.Mean * sizes;
+  // Squares of side Mean on average: as many quads as if all sizes were the same.
+  const auto fit = [&]
+  { lengths.OnFaces *= lengths.Mean * std::sqrt(ExpectedOnFaces(mesh, lengths.OnFaces).sum() / areas.sum()); };
+  fit();
+  if (sizes.maxCoeff() > sizes.minCoeff())
+  {
+    LimitGrowth(mesh, lengths.OnFaces);
+    fit();
+  }
   for (int face = 0; face < areas.size(); ++face)
   {
     const double area = std::max(ofComponents[components[face]], std::numeric_limits<double>::min());

@@ -17,7 +17,7 @@ struct LengthsOfEdges
   Vector<double> OnFaces; ///< by face of the surface; shorter on components that would have hardly any quads
 };
 
-/// Lengths that give the number of quads on a flat surface. Only the ratios of sizes count.
+/// Lengths that give the number of quads on a flat surface. Only the ratios of sizes count, and lengths grow slowly (LimitGrowth).
 /// \param components of the faces of the surface (FaceComponents).
 LengthsOfEdges FindLengthsOfEdges(
   const TriangleMesh& mesh, const std::vector<int>& components, const QuadOptions& options);

@@ -3,6 +3,7 @@
 #include "Quads/LengthsOfEdges.h"
 #include "Quads/QuadMaking.h"
 #include "Quads/QuadRemedies.h"
+#include "Quads/SizesOfQuads.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -38,45 +39,6 @@ void CheckPowers(const FramedMesh& surface, const Vector<Complex>& powers, const
       throw InvalidInput("the direction of " + names.Face(face) + " is not finite; set it to 0 where there is none");
     }
   }
-}
-
-void CheckOptions(const FramedMesh& surface, const QuadOptions& options, const ElementNames& names)
-{
-  const int faces = surface.Mesh.NumberOfFaces();
-  const double given = options.EdgeLength != 0.0 ? options.EdgeLength : options.NumberOfQuads;
-  if (!(given > 0.0) || !std::isfinite(given))
-  {
-    throw InvalidInput((options.EdgeLength != 0.0 ? "QuadOptions::EdgeLength is " : "QuadOptions::NumberOfQuads is ") +
-      ShortText(given) + "; make it positive");
-  }
-  if (options.Sizes.size() != 0 && options.Sizes.size() != faces)
-  {
-    throw InvalidInput("there are " + std::to_string(options.Sizes.size()) + " sizes for " + std::to_string(faces) +
-      " faces; give one per face, or none");
-  }
-  for (int face = 0; face < options.Sizes.size(); ++face)
-  {
-    if (!(options.Sizes[face] > 0.0) || !std::isfinite(options.Sizes[face]))
-    {
-      throw InvalidInput(
-        "the size of " + names.Face(face) + " is " + ShortText(options.Sizes[face]) + "; make it positive");
-    }
-  }
-}
-
-/// The options for a surface of other faces.
-QuadOptions OptionsOf(const QuadOptions& options, const FinerSurface& finer)
-{
-  QuadOptions others = options;
-  if (options.Sizes.size() > 0)
-  {
-    others.Sizes.resize(static_cast<int>(finer.Parents.size()));
-    for (int face = 0; face < others.Sizes.size(); ++face)
-    {
-      others.Sizes[face] = options.Sizes[finer.Parents[face]];
-    }
-  }
-  return others;
 }
 
 /// Gives the quads places and faces of the surface that was cut.
@@ -117,9 +79,9 @@ LengthsOfEdges CheckedLengths(const TriangleMesh& mesh, const QuadOptions& optio
 std::shared_ptr<const FinerSurface> SurfaceForQuads(
   const FramedMesh& surface, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
 {
-  CheckOptions(surface, options, names);
   context.Checkpoint(0.0);
-  const Vector<double> lengths = CheckedLengths(surface.Mesh, options).OnFaces;
+  const Vector<double> lengths =
+    CheckedLengths(surface.Mesh, WithSizesAlone(surface, options, names, PartOfContext(context, 0.0, 0.0))).OnFaces;
   const double quads = ExpectedOnFaces(surface.Mesh, lengths).sum();
   return HalveLongEdges(
     surface, LongestEdge * lengths, std::max(MostFacesPerQuad * quads, 1.5 * surface.Mesh.NumberOfFaces()), context);
@@ -129,16 +91,15 @@ namespace
 {
 
 QuadMesh MakeWithFactors(const FramedMesh& surface, std::shared_ptr<const FinerSurface> finer,
-  const Vector<Complex>& powers, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
+  const Vector<Complex>& powers, const QuadOptions& asked, const ExecutionContext& context, const ElementNames& names)
 {
+  const QuadOptions options = WithSizesAlone(surface, asked, names, PartOfContext(context, 0.0, 0.0));
   if (!finer)
   {
-    CheckOptions(surface, options, names);
     CheckPowers(surface, powers, names);
     return MakeQuadsOfShortEdges(surface, powers, CheckedLengths(surface.Mesh, options), options, context, names);
   }
   const ElementNames namesOfFiner = finer->NamesOf(names);
-  CheckOptions(surface, options, names);
   CheckPowers(finer->Geometry, powers, namesOfFiner);
   const QuadOptions others = OptionsOf(options, *finer);
   QuadMesh mesh = MakeQuadsOfShortEdges(finer->Geometry, powers, CheckedLengths(finer->Geometry.Mesh, others), others,
@@ -165,10 +126,11 @@ QuadMesh MakeQuads(const FramedMesh& surface, std::shared_ptr<const FinerSurface
   return WithRemedyOfQuads([&] { return MakeWithFactors(surface, std::move(finer), powers, options, context, names); });
 }
 
-QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options,
+QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& asked,
   const ExecutionContext& context, const ElementNames& names)
 {
   CheckPowers(surface, powers, names);
+  const QuadOptions options = WithSizesAlone(surface, asked, names, PartOfContext(context, 0.0, 0.0));
   std::shared_ptr<const FinerSurface> finer =
     SurfaceForQuads(surface, options, PartOfContext(context, 0.0, 0.05), names);
   const Vector<Complex> ofFiner = finer ? finer->PowersOf(surface, powers) : powers;

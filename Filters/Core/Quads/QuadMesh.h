@@ -59,9 +59,10 @@ struct QuadReport
   int CutOff = 0;           ///< twice the number of places where a thin part at the boundary may be lost
   QuadDistances Distances = {};
   std::vector<double>
-    AreaShares = {};         ///< by component of the surface (FaceComponents): the area of its quads over its own
-  int LeastCovered = -1;     ///< a face of the component of the smallest share
-  double AskedRatio = 1.0;   ///< of the largest to the smallest of the lengths of edges that QuadOptions::Sizes give
+    AreaShares = {};     ///< by component of the surface (FaceComponents): the area of its quads over its own
+  int LeastCovered = -1; ///< a face of the component of the smallest share
+  double AskedRatio =
+    1.0; ///< of the largest to the smallest of the lengths of edges that Sizes and Adaptivity of QuadOptions give
   double ReachedRatio = 1.0; ///< AskedRatio to the power by which the lengths of edges follow those on the mean
   /// The largest distance of the surface from its mirror image, relative to its diagonal; 0 where nobody asked for symmetry.
   double Asymmetry = 0.0;

@@ -16,6 +16,9 @@ struct QuadOptions : AlignmentOptions
   double EdgeLength = 0.0;
   /// The length of edges on each face relative to other faces, > 0; empty: the same everywhere.
   Vector<double> Sizes = {};
+  /// Edges are shorter where the surface bends, by a part in [0, 1]; 0 is not at all. With 1, they are as long as the radius of the larger curvature
+  /// tells, down to about an eighth of those on flat parts (WithSizesAlone). Sharp edges that are aligned do not count.
+  double Adaptivity = 0.0;
 
   int SmoothingSteps = 6; ///< of the vertices along the surface, >= 0
 };

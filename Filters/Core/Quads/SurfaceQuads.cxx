@@ -2,11 +2,14 @@
 
 #include "FieldSolver.h"
 #include "Quads/Crosses/AlignedEdges.h"
+#include "Quads/LengthsOfEdges.h"
 #include "Quads/QuadRemedies.h"
+#include "Quads/SizesOfQuads.h"
 
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace dmg
 {
@@ -46,6 +49,20 @@ Vector<Complex> FilledGaps(
   return filled;
 }
 
+/// A solver of fields on the surface that quads are made of, in whose metric quads of the lengths that are wanted are alike.
+FieldSolver SolverInMetric(const FramedMesh& surface, const FinerSurface* finer, const QuadOptions& options)
+{
+  const FramedMesh& fine = finer ? finer->Geometry : surface;
+  const bool areEven = options.Sizes.size() == 0 || options.Sizes.maxCoeff() == options.Sizes.minCoeff();
+  if (areEven)
+  {
+    return FieldSolver(Borrowed(fine));
+  }
+  const Vector<double> lengths =
+    FindLengthsOfEdges(fine.Mesh, FaceComponents(fine.Mesh), finer ? OptionsOf(options, *finer) : options).OnFaces;
+  return FieldSolver(Borrowed(fine), AtVertices(fine.Mesh, lengths));
+}
+
 }
 
 Vector<Complex> FourthPowers(const Vector<Complex>& directions)
@@ -60,11 +77,12 @@ Vector<Complex> FourthPowers(const Vector<Complex>& directions)
 }
 
 QuadMesh MakeQuadsAlongFeatures(
-  const FramedMesh& surface, const QuadOptions& options, const ExecutionContext& context, const ElementNames& names)
+  const FramedMesh& surface, const QuadOptions& asked, const ExecutionContext& context, const ElementNames& names)
 {
+  const QuadOptions options = WithSizesAlone(surface, asked, names, PartOfContext(context, 0.0, 0.0));
   std::shared_ptr<const FinerSurface> finer =
     SurfaceForQuads(surface, options, PartOfContext(context, 0.0, 0.05), names);
-  FieldSolver solver(Borrowed(finer ? finer->Geometry : surface));
+  FieldSolver solver = SolverInMetric(surface, finer.get(), options);
   FieldProblem problem;
   problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
   if (options.AlignSharpEdges)

@@ -4,6 +4,7 @@
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/LengthsOfEdges.h"
 #include "Quads/QuadMeasures.h"
+#include "Quads/SizesOfQuads.h"
 #include "Quads/SurfaceQuads.h"
 #include "Support/Errors.h"
 
@@ -169,17 +170,9 @@ private:
 
 QuadOptions OptionsOfHalf(const QuadOptions& options, const FinerSurface& half)
 {
-  QuadOptions ofHalf = options;
+  QuadOptions ofHalf = OptionsOf(options, half);
   ofHalf.NumberOfQuads = std::max(1.0, 0.5 * options.NumberOfQuads);
   ofHalf.AlignBoundary = true;
-  if (options.Sizes.size() > 0)
-  {
-    ofHalf.Sizes.resize(static_cast<int>(half.Parents.size()));
-    for (int face = 0; face < ofHalf.Sizes.size(); ++face)
-    {
-      ofHalf.Sizes[face] = options.Sizes[half.Parents[face]];
-    }
-  }
   return ofHalf;
 }
 
@@ -311,9 +304,10 @@ std::shared_ptr<const FinerSurface> HalfOf(
 }
 
 QuadMesh MakeSymmetricQuads(const FramedMesh& surface, const std::optional<Vector<Complex>>& powers,
-  const std::optional<MirrorPlane>& given, const QuadOptions& options, const ExecutionContext& context,
+  const std::optional<MirrorPlane>& given, const QuadOptions& asked, const ExecutionContext& context,
   const ElementNames& names)
 {
+  const QuadOptions options = WithSizesAlone(surface, asked, names, PartOfContext(context, 0.0, 0.0));
   const NearestPlaces places(surface);
   const MirrorPlane plane = given ? *given : FindMirrorPlane(places);
   const double asymmetry = AsymmetryOf(places, plane);

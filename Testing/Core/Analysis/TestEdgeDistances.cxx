@@ -36,6 +36,18 @@ TEST(EdgeDistances, EndAtTheMaximum)
   }
 }
 
+TEST(EdgeDistances, AreTheLargestFunctionBelowStartsOfSlopeOne)
+{
+  const TriangleMesh mesh = TwoGrids();
+  Vector<double> starts = Vector<double>::Constant(mesh.NumberOfVertices(), 3.0);
+  starts[3] = 1.0;
+  const Vector<double> distances = DistancesAlongEdges(mesh, starts), from = DistancesAlongEdges(mesh, { 3 });
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    EXPECT_NEAR(distances[vertex], std::min(3.0, 1.0 + from[vertex]), 1e-12);
+  }
+}
+
 TEST(EdgeDistances, TakeDiagonalsWhereTheyRise)
 {
   const TriangleMesh mesh = TwoGrids();

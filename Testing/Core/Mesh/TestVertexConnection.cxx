@@ -97,6 +97,48 @@ TEST(VertexConnection, CarriesDirectionsInAPlaneAsTheyAre)
   }
 }
 
+// log(length) = g x: along a side (a, b) a direction turns by the integral of the derivative to its right, g b.
+TEST(VertexConnection, TurnsByTheDerivativeOfLengthsToTheRight)
+{
+  const double g = 0.3;
+  const FramedMesh surface(IrregularPlane(12, 8, 5).Mesh());
+  std::vector<double> lengths;
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  {
+    lengths.push_back(std::exp(g * surface.Mesh.Position(vertex).x()));
+  }
+  const VertexConnection before(surface);
+  VertexConnection connection(surface);
+  connection.SetLengths(surface.Mesh, lengths);
+  for (int h = 0; h < 3 * surface.Mesh.NumberOfFaces(); ++h)
+  {
+    const Vector3 side = surface.Mesh.Position(surface.Mesh.Head(h)) - surface.Mesh.Position(surface.Mesh.Tail(h));
+    EXPECT_NEAR(connection.Transport(h), before.Transport(h) + g * side.y(), 1e-12);
+  }
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    EXPECT_NEAR(connection.Curvature(face), 0.0, 1e-12) << "log(length) is harmonic";
+  }
+}
+
+TEST(VertexConnection, HasItsTotalCurvatureForAnyLengths)
+{
+  const FramedMesh surface(IrregularSphere(3, 5).Mesh());
+  std::vector<double> lengths;
+  Random random(4);
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  {
+    lengths.push_back(random.Uniform(0.5, 2.0));
+  }
+  VertexConnection connection(surface);
+  connection.SetLengths(surface.Mesh, lengths);
+  EXPECT_NEAR(TotalCurvature(surface, connection), 4.0 * Pi, 1e-9);
+  for (int h = 0; h < 3 * surface.Mesh.NumberOfFaces(); ++h)
+  {
+    EXPECT_LT(FromFullTurns(connection.Transport(h) + connection.Transport(surface.Mesh.Twin(h))), 1e-9);
+  }
+}
+
 TEST(VertexConnection, HasTheSameBitsForAnyNumberOfThreads)
 {
   const FramedMesh surface(IrregularTorus(64, 48, 5).Mesh());
