@@ -2,7 +2,7 @@
 
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/InnerFilter.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
@@ -56,6 +56,15 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkDirectionalField::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("LineDistance", this->LineDistance, 0.0005, 1);
+  table.Number("SphereRadius", this->SphereRadius, 0, 0.1);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -63,10 +72,7 @@ int vtkDirectionalField::RequestData(
   const auto solveAndDraw =
     [&](vtkInformationVector** inputs, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({
-      { "Line Distance", this->LineDistance, 0.0005, 1 },
-      { "Sphere Radius", this->SphereRadius, 0, 0.1 },
-    });
+    this->Properties().Check();
     vtkNew<vtkInformationVector> solved;
     MakeSolverOutputs(outputVector, solved);
     this->SetProgressShiftScale(0.0, PartOfSolver);
@@ -124,6 +130,5 @@ int vtkDirectionalField::RequestData(
 void vtkDirectionalField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LineDistance: " << this->LineDistance << "\n";
-  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
+  this->Properties().Print(os, indent);
 }

@@ -35,6 +35,11 @@
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 #include "vtkHarmonicFieldSolver.h"
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalField : public vtkHarmonicFieldSolver
 {
 public:
@@ -72,6 +77,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   double LineDistance = 0.015;
   double SphereRadius = 0.012;
 };

@@ -1,7 +1,7 @@
 #include "vtkDirectionalProlongation.h"
 
 #include "Adapters/Pipeline/FilterOutputs.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
@@ -98,6 +98,21 @@ int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformati
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkDirectionalProlongation::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("FaceRatio", this->FaceRatio, 0.05, 0.9);
+  table.Number("MaximumNumberOfCoarseLevels", this->MaximumNumberOfCoarseLevels, 0, 20);
+  table.Number("MinimumNumberOfFaces", this->MinimumNumberOfFaces, 4);
+  table.Choice("CollapsePolicy", this->CollapsePolicy, { "IndependentRounds", "SequentialQueue" });
+  table.Choice("Construction", this->Construction, { "TrackedPaths", "ExactOverlay" });
+  table.Switch("PowerFields", this->PowerFields);
+  table.Switch("FaceFields", this->FaceFields);
+  table.Switch("OneForms", this->OneForms);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkDirectionalProlongation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -105,13 +120,7 @@ int vtkDirectionalProlongation::RequestData(
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
   const auto make = [this, output, levels](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({
-      { "Face Ratio", this->FaceRatio, 0.05, 0.9 },
-      { "Maximum Number Of Coarse Levels", this->MaximumNumberOfCoarseLevels, 0, 20 },
-      { "Minimum Number Of Faces", this->MinimumNumberOfFaces, 4 },
-      { "Collapse Policy", this->CollapsePolicy, IndependentRounds, SequentialQueue },
-      { "Construction", this->Construction, TrackedPaths, ExactOverlay },
-    });
+    this->Properties().Check();
     dmg::HierarchyOptions options;
     options.FaceRatio = this->FaceRatio;
     options.MaximumNumberOfCoarseLevels = this->MaximumNumberOfCoarseLevels;
@@ -154,15 +163,6 @@ int vtkDirectionalProlongation::RequestData(
 void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FaceRatio: " << this->FaceRatio << "\n";
-  os << indent << "MaximumNumberOfCoarseLevels: " << this->MaximumNumberOfCoarseLevels << "\n";
-  os << indent << "MinimumNumberOfFaces: " << this->MinimumNumberOfFaces << "\n";
-  os << indent
-     << "CollapsePolicy: " << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue")
-     << "\n";
-  os << indent << "Construction: " << (this->Construction == TrackedPaths ? "TrackedPaths" : "ExactOverlay") << "\n";
-  os << indent << "PowerFields: " << (this->PowerFields ? "On" : "Off") << "\n";
-  os << indent << "FaceFields: " << (this->FaceFields ? "On" : "Off") << "\n";
-  os << indent << "OneForms: " << (this->OneForms ? "On" : "Off") << "\n";
+  this->Properties().Print(os, indent);
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
 }

@@ -72,6 +72,11 @@
 
 #include <memory> // For std::unique_ptr
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkOrientedSurfaceAlgorithm
 {
 public:
@@ -171,6 +176,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   // Defaults of these five are those of the core (dmg::HierarchyOptions).
   double FaceRatio;
   int MaximumNumberOfCoarseLevels;

@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Drawing/AnglesOfField.h"
 #include "Mesh/PositiveSide.h"
@@ -37,7 +38,8 @@ int vtkFieldAngles::RequestUpdateExtent(
 int vtkFieldAngles::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
+  return dmg::DrawField(
+    this, request, inputVector, outputVector, this->NumberOfDirections, [] { return dmg::PropertyTable(); },
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::Points references =

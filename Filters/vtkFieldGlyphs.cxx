@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Drawing/FieldGlyphs.h"
 #include "Drawing/GlyphPlaces.h"
 
@@ -14,20 +15,26 @@
 vtkStandardNewMacro(vtkFieldGlyphs);
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkFieldGlyphs::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Choice("Placement", this->Placement, { "EvenlySpread", "EveryTriangle" });
+  table.Number("SeparatingDistance", this->SeparatingDistance, 0.0005, 1);
+  table.Choice("Sizing", this->Sizing, { "Even", "ByTriangle", "ByMagnitude" });
+  table.Number("ScaleFactor", this->ScaleFactor, 0.01, 100);
+  table.Choice("Style", this->Style, { "Solid", "Strokes" });
+  table.Number("Width", this->Width, 0.005, 0.3);
+  table.Number("Lift", this->Lift, 0, 0.1);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldGlyphs::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    {
-      { "Placement", this->Placement, EvenlySpread, EveryTriangle },
-      { "Separating Distance", this->SeparatingDistance, 0.0005, 1 },
-      { "Sizing", this->Sizing, Even, ByMagnitude },
-      { "Scale Factor", this->ScaleFactor, 0.01, 100 },
-      { "Style", this->Style, Solid, Strokes },
-      { "Width", this->Width, 0.005, 0.3 },
-      { "Lift", this->Lift, 0, 0.1 },
-    },
+  return dmg::DrawField(
+    this, request, inputVector, outputVector, this->NumberOfDirections, [this] { return this->Properties(); },
     [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       dmg::GlyphPlaceOptions where;
@@ -52,13 +59,6 @@ int vtkFieldGlyphs::RequestData(
 //------------------------------------------------------------------------------
 void vtkFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const sizings[] = { "Even", "ByTriangle", "ByMagnitude" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle") << "\n";
-  os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
-  os << indent << "Sizing: " << dmg::NameOf(sizings, this->Sizing) << "\n";
-  os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
-  os << indent << "Style: " << (this->Style == Solid ? "Solid" : "Strokes") << "\n";
-  os << indent << "Width: " << this->Width << "\n";
-  os << indent << "Lift: " << this->Lift << "\n";
+  this->Properties().Print(os, indent);
 }

@@ -40,6 +40,11 @@
 #include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldGlyphs : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -143,6 +148,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   int Placement = EvenlySpread;
   double SeparatingDistance = 0.02;
   int Sizing = Even;

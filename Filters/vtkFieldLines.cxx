@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Drawing/EvenlySpacedLines.h"
 
 #include "vtkInformationVector.h"
@@ -31,17 +32,24 @@ double RoundedDown(double number)
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkFieldLines::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("SeparatingDistance", this->SeparatingDistance, SmallestDistance, 1);
+  table.Number("SeparatingDistanceRatio", this->SeparatingDistanceRatio, 0.05, 0.9);
+  table.Number("MinimumLength", this->MinimumLength, 0, 1000);
+  table.Number("Lift", this->Lift, 0, 0.1);
+  table.Switch("ArrowHeads", this->ArrowHeads);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldLines::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    {
-      { "Separating Distance", this->SeparatingDistance, SmallestDistance, 1 },
-      { "Separating Distance Ratio", this->SeparatingDistanceRatio, 0.05, 0.9 },
-      { "Minimum Length", this->MinimumLength, 0, 1000 },
-      { "Lift", this->Lift, 0, 0.1 },
-    },
+  return dmg::DrawField(
+    this, request, inputVector, outputVector, this->NumberOfDirections, [this] { return this->Properties(); },
     [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       dmg::LineOptions options;
@@ -81,9 +89,5 @@ int vtkFieldLines::RequestData(
 void vtkFieldLines::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
-  os << indent << "SeparatingDistanceRatio: " << this->SeparatingDistanceRatio << "\n";
-  os << indent << "MinimumLength: " << this->MinimumLength << "\n";
-  os << indent << "Lift: " << this->Lift << "\n";
-  os << indent << "ArrowHeads: " << (this->ArrowHeads ? "On" : "Off") << "\n";
+  this->Properties().Print(os, indent);
 }

@@ -46,6 +46,11 @@
 #include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldLines : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -112,6 +117,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   double SeparatingDistance = 0.015;
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;

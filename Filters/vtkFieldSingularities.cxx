@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/FieldFromArrays.h"
 #include "Adapters/Output/DrawingToPolyData.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Directions/FieldTopology.h"
 #include "Directions/UnresolvedSingularities.h"
 #include "Support/ShortText.h"
@@ -53,12 +54,19 @@ vtkFieldSingularities::vtkFieldSingularities()
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkFieldSingularities::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("SphereRadius", this->SphereRadius, 0, 0.1);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldSingularities::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(
-    this, request, inputVector, outputVector, this->NumberOfDirections,
-    { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
+    this, request, inputVector, outputVector, this->NumberOfDirections, [this] { return this->Properties(); },
     [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::FieldTopology topology = TopologyOf(given, context);
@@ -76,5 +84,5 @@ int vtkFieldSingularities::RequestData(
 void vtkFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
+  this->Properties().Print(os, indent);
 }

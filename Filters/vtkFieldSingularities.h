@@ -76,6 +76,11 @@
 #include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldSingularities : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -102,6 +107,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   double SphereRadius = 0.012;
 };
 

@@ -2,7 +2,7 @@
 
 #include "Adapters/Output/FieldFiles.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
@@ -73,12 +73,21 @@ int vtkFieldWriter::FillInputPortInformation(int, vtkInformation* information)
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkFieldWriter::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Text("FileName", this->FileName);
+  table.Choice("Format", this->Format, { "ByExtension", "Rosy", "RawField", "Sharp" });
+  table.Number("FeatureAngle", this->FeatureAngle, 0, 180);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 void vtkFieldWriter::WriteData()
 {
   try
   {
-    dmg::CheckRanges(
-      { { "Format", this->Format, ByExtension, Sharp }, { "Feature Angle", this->FeatureAngle, 0, 180 } });
+    this->Properties().Check();
     auto* const surface = vtkDataSet::SafeDownCast(this->GetInput());
     const int format = this->Format == ByExtension ? FormatOf(this->FileName) : this->Format;
     WriteText(this->FileName,
@@ -100,9 +109,6 @@ void vtkFieldWriter::WriteData()
 //------------------------------------------------------------------------------
 void vtkFieldWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const formats[] = { "ByExtension", "Rosy", "RawField", "Sharp" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
-  os << indent << "Format: " << dmg::NameOf(formats, this->Format) << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  this->Properties().Print(os, indent);
 }

@@ -25,6 +25,11 @@
 
 #include <string> // For std::string
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldWriter : public vtkWriter
 {
 public:
@@ -76,6 +81,8 @@ protected:
   void WriteData() override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   std::string FileName;
   int Format = ByExtension;
   double FeatureAngle = 30.0;

@@ -71,6 +71,17 @@ public:
     return point;
   }
 
+  /// The logarithmic map at a point, as texture coordinates of the surface and as circles.
+  static void WriteMapAt(const dmg::PlacedDirection& point, const vtkParallelTransport& filter,
+    dmg::ParallelTransport& transport, const dmg::SurfaceView& view, vtkPolyData* circles,
+    const dmg::ExecutionContext& context)
+  {
+    const dmg::FramedMesh& surface = view.Surface().Geometry;
+    const dmg::Complex direction = surface.Vertices.ToComplex(point.Vertex, point.Direction);
+    dmg::WriteMap(transport.Map(point.Vertex, direction, context), point.Vertex, transport.Sides(), filter.TextureSize,
+      filter.NumberOfCircles, view, circles, context);
+  }
+
 private:
   dmg::ChosenPoint Point;
 };
@@ -200,10 +211,8 @@ int vtkParallelTransport::RequestData(
       }
       if (this->LogarithmicMap)
       {
-        const dmg::PartOfContext part(context, 0.2, 0.7);
-        const dmg::Complex direction = surface.Vertices.ToComplex(point.Vertex, point.Direction);
-        dmg::WriteMap(transport.Map(point.Vertex, direction, part), point.Vertex, transport.Sides(), this->TextureSize,
-          this->NumberOfCircles, view, vtkPolyData::GetData(outputVector, 2), part);
+        vtkInternals::WriteMapAt(
+          point, *this, transport, view, vtkPolyData::GetData(outputVector, 2), dmg::PartOfContext(context, 0.2, 0.7));
       }
     }
     dmg::CheckSizes(sources, view.Relation().Names());

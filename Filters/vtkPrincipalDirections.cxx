@@ -3,7 +3,7 @@
 #include "Adapters/Output/CurvaturesToArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/SurfaceView.h"
@@ -16,12 +16,20 @@
 vtkStandardNewMacro(vtkPrincipalDirections);
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkPrincipalDirections::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("Scale", this->Scale, 0, 100);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkPrincipalDirections::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
+    this->Properties().Check();
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     view.Prepare({ dmg::Numbering::Spatial, this->JoinPoints, this->Strict }, dmg::PartOfContext(context, 0.0, 0.3));
     dmg::WarnOfPreparation(this, view.Repair());
@@ -40,5 +48,5 @@ int vtkPrincipalDirections::RequestData(
 void vtkPrincipalDirections::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Scale: " << this->Scale << "\n";
+  this->Properties().Print(os, indent);
 }

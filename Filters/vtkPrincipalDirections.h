@@ -60,6 +60,11 @@
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 #include "vtkOrientedSurfaceAlgorithm.h"
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkPrincipalDirections : public vtkOrientedSurfaceAlgorithm
 {
 public:
@@ -87,6 +92,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   double Scale = 3.0;
 };
 

@@ -4,7 +4,7 @@
 #include "Adapters/Output/ScalesToArrays.h"
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/View/FlatMap.h"
@@ -57,13 +57,30 @@ public:
     return counts;
   }
 
-  static void CheckProperties(const vtkScaleFilter& filter)
+  dmg::PropertyTable PropertiesOf(const vtkScaleFilter& filter) const
   {
-    dmg::CheckRanges({ { "Order", filter.Order, 1, 2 }, { "Flow Kind", filter.FlowKind, Parts, Wholes },
-      { "Boundary", filter.Boundary, Closed, Open }, { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
-      { "Length Scale", filter.LengthScale, 1e-30, 1e30 }, { "Spectrum From", filter.SpectrumFrom, 0 },
-      { "Spectrum To", filter.SpectrumTo, 0 }, { "Spectrum Rows", filter.SpectrumRows, 1, 1000 },
-      { "Tolerance", filter.Tolerance, 1e-14, 0.1 }, { "Solver", filter.Solver, Automatic, ConjugateGradients } });
+    dmg::PropertyTable table;
+    std::string arrays;
+    for (const std::string& name : this->Arrays)
+    {
+      arrays += (arrays.empty() ? "'" : " '") + name + "'";
+    }
+    table.Text("Arrays", arrays);
+    table.List("Wavelengths", this->Wavelengths);
+    table.Number("Order", filter.Order, 1, 2);
+    table.Choice("FlowKind", filter.FlowKind, { "Parts", "Wholes" });
+    table.Switch("PartsApart", filter.PartsApart);
+    table.Choice("Boundary", filter.Boundary, { "Closed", "Open" });
+    table.Choice("Coordinates", filter.Coordinates, { "Space", "LongitudeAndLatitude" });
+    table.Number("LengthScale", filter.LengthScale, 1e-30, 1e30);
+    table.Vector("Axis", filter.Axis);
+    table.Switch("Spectrum", filter.Spectrum);
+    table.Number("SpectrumFrom", filter.SpectrumFrom, 0);
+    table.Number("SpectrumTo", filter.SpectrumTo, 0);
+    table.Number("SpectrumRows", filter.SpectrumRows, 1, 1000);
+    table.Number("Tolerance", filter.Tolerance, 1e-14, 0.1);
+    table.Choice("Solver", filter.Solver, { "Automatic", "Cholesky", "ConjugateGradients" });
+    return table;
   }
 
   static dmg::ScaleSurface::Settings SettingsOf(const vtkScaleFilter& filter, bool isGlobe)
@@ -96,7 +113,7 @@ public:
   std::string MakeInPieces(vtkScaleFilter* filter, const dmg::RanksOfPipeline& ranks, vtkInformationVector** inputs,
     vtkInformationVector* outputs, const dmg::ExecutionContext& context)
   {
-    ranks.Together([&] { CheckProperties(*filter); });
+    ranks.Together([&] { this->PropertiesOf(*filter).Check(); });
     if (filter->Coordinates != Space)
     {
       return "maps are taken to the sphere on one process";
@@ -215,7 +232,7 @@ int vtkScaleFilter::RequestData(
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    vtkInternals::CheckProperties(*this);
+    this->Internals->PropertiesOf(*this).Check();
     const bool isMap = this->Coordinates == LongitudeAndLatitude;
     const dmg::Vector3 axis(isMap ? AxisOfMaps : this->Axis);
 
@@ -249,29 +266,5 @@ int vtkScaleFilter::RequestData(
 void vtkScaleFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const boundaries[] = { "Closed", "Open" };
-  const char* const solvers[] = { "Automatic", "Cholesky", "ConjugateGradients" };
-  os << indent << "Arrays:";
-  for (const std::string& name : this->Internals->Arrays)
-  {
-    os << " '" << name << "'";
-  }
-  os << "\n" << indent << "Wavelengths:";
-  for (const double wavelength : this->Internals->Wavelengths)
-  {
-    os << " " << wavelength;
-  }
-  os << "\n" << indent << "Order: " << this->Order << "\n";
-  os << indent << "FlowKind: " << (this->FlowKind == Parts ? "Parts" : "Wholes") << "\n";
-  os << indent << "PartsApart: " << this->PartsApart << "\n";
-  os << indent << "Boundary: " << dmg::NameOf(boundaries, this->Boundary) << "\n";
-  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
-  os << indent << "LengthScale: " << this->LengthScale << "\n";
-  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
-  os << indent << "Spectrum: " << this->Spectrum << "\n";
-  os << indent << "SpectrumFrom: " << this->SpectrumFrom << "\n";
-  os << indent << "SpectrumTo: " << this->SpectrumTo << "\n";
-  os << indent << "SpectrumRows: " << this->SpectrumRows << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
+  this->Internals->PropertiesOf(*this).Print(os, indent);
 }

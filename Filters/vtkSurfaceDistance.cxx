@@ -7,7 +7,7 @@
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/Kept.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -69,15 +69,6 @@ public:
   }
 
   dmg::Kept<dmg::EngineOfSurface<KeptDistance, DistanceKey>> Engines;
-
-  void CheckProperties() const
-  {
-    const vtkSurfaceDistance& filter = *this->Filter;
-    dmg::CheckRanges({ { "Coordinates", filter.Coordinates, Space, LongitudeAndLatitude },
-      { "Feature Angle", filter.FeatureAngle, 0.001, 180 }, { "Maximum Distance", filter.MaximumDistance, 0 },
-      { "Maximum Source Distance", filter.MaximumSourceDistance, 0 },
-      { "Number Of Levels", filter.NumberOfLevels, 0, 1000 }, { "Length Scale", filter.LengthScale, 1e-30, 1e30 } });
-  }
 
   dmg::DistanceOptions Options() const
   {
@@ -220,12 +211,32 @@ int vtkSurfaceDistance::FillOutputPortInformation(int port, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkSurfaceDistance::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Switch("Boundary", this->Boundary);
+  table.Switch("SharpEdges", this->SharpEdges);
+  table.Number("FeatureAngle", this->FeatureAngle, 0.001, 180);
+  table.Vector("Point", this->Point);
+  table.Switch("UsePoint", this->UsePoint);
+  table.Switch("AddPoint", this->AddPoint);
+  table.Switch("Signed", this->Signed);
+  table.Number("MaximumDistance", this->MaximumDistance, 0);
+  table.Number("MaximumSourceDistance", this->MaximumSourceDistance, 0);
+  table.List("OffsetDistances", this->OffsetDistances);
+  table.Number("NumberOfLevels", this->NumberOfLevels, 0, 1000);
+  table.Choice("Coordinates", this->Coordinates, { "Space", "LongitudeAndLatitude" });
+  table.Number("LengthScale", this->LengthScale, 1e-30, 1e30);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceDistance::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    this->Internals->CheckProperties();
+    this->Properties().Check();
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     const dmg::ChosenArray gaps = dmg::FindArray(dmg::ChoiceOf(this, 1), view.Given(), 1, "gaps", "the surface");
     const bool isMap = this->Coordinates == LongitudeAndLatitude;
@@ -256,24 +267,7 @@ int vtkSurfaceDistance::RequestData(
 void vtkSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto onOrOff = [](bool is) { return is ? "On" : "Off"; };
-  os << indent << "Boundary: " << onOrOff(this->Boundary) << "\n";
-  os << indent << "SharpEdges: " << onOrOff(this->SharpEdges) << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n";
-  os << indent << "UsePoint: " << onOrOff(this->UsePoint) << "\n";
+  this->Properties().Print(os, indent);
   os << indent << "PointOnSurface: " << this->PointOnSurface[0] << " " << this->PointOnSurface[1] << " "
      << this->PointOnSurface[2] << "\n";
-  os << indent << "AddPoint: " << onOrOff(this->AddPoint) << "\n";
-  os << indent << "Signed: " << onOrOff(this->Signed) << "\n";
-  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
-  os << indent << "MaximumSourceDistance: " << this->MaximumSourceDistance << "\n";
-  os << indent << "OffsetDistances:";
-  for (const double distance : this->OffsetDistances)
-  {
-    os << " " << distance;
-  }
-  os << "\n" << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  os << indent << "Coordinates: " << (this->Coordinates == Space ? "Space" : "LongitudeAndLatitude") << "\n";
-  os << indent << "LengthScale: " << this->LengthScale << "\n";
 }

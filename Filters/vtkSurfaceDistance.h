@@ -73,6 +73,11 @@
 #include <memory> // For std::unique_ptr
 #include <vector> // For std::vector
 
+namespace dmg
+{
+class PropertyTable;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkSurfaceDistance : public vtkOrientedSurfaceAlgorithm
 {
 public:
@@ -238,6 +243,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+
   bool Boundary = false;
   bool SharpEdges = false;
   double FeatureAngle = 30.0;

@@ -28,6 +28,20 @@ Points DirectionsInSpace(
   return inSpace;
 }
 
+/// Rotations along edges and indices of faces of a field at vertices.
+void FindIndicesOfFaces(
+  const TriangleMesh& mesh, const VertexConnection& connection, Field& field, const ExecutionContext& context)
+{
+  field.AreSingularitiesOnFaces = true;
+  field.Rotation = RotationAlongEdges(mesh, connection, field.Powers.Vertices, field.N, context);
+  field.Indices = IndicesOfFaces(mesh, connection, field.Rotation, field.N, context);
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    field.Rotation[edge] *=
+      mesh.EdgeSign(mesh.HalfedgeOf(edge)); // on the boundary an edge may have the other halfedge alone
+  }
+}
+
 /// Calls two functions, at the same time where there are threads.
 template <class First, class Second>
 void CallBoth(const ExecutionContext& context, const First& first, const Second& second)
@@ -94,19 +108,12 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
 
   const auto findIndices = [&]
   {
-    if (!connection)
+    if (connection)
     {
-      field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
+      FindIndicesOfFaces(mesh, *connection, field, context);
       return;
     }
-    field.AreSingularitiesOnFaces = true;
-    field.Rotation = RotationAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
-    field.Indices = IndicesOfFaces(mesh, *connection, field.Rotation, N, context);
-    for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-    {
-      field.Rotation[edge] *=
-        mesh.EdgeSign(mesh.HalfedgeOf(edge)); // on the boundary an edge may have the other halfedge alone
-    }
+    field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
   };
   if (growsTree)
   {

@@ -13,8 +13,6 @@
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 
-#include <initializer_list>
-
 class vtkAlgorithm;
 class vtkInformation;
 
@@ -71,18 +69,18 @@ Points ReferenceVectors(
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
-/// \param N the filter's Number Of Directions, from 0 to 8; \p others are the rest of its numbers.
+/// \param N the filter's Number Of Directions, from 0 to 8; \p properties() is the table of the others.
 /// \return what RequestData returns.
-template <class Draw>
+template <class Properties, class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw,
+  vtkInformationVector* outputs, int N, const Properties& properties, const Draw& draw,
   GapsInField gaps = GapsInField::AreSurface)
 {
   return MakeOutputs(algorithm, request, inputs, outputs,
     [&](vtkInformationVector** whole, const ExecutionContext& context)
     {
       CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
-      CheckRanges(others);
+      properties().Check();
       SurfaceView view(SurfaceOf(whole[0]));
       const SurfaceWithField field = ReadField(algorithm, view, N, PartOfContext(context, 0.0, 0.3), gaps);
       draw(field, PartOfContext(context, 0.3, 1.0));

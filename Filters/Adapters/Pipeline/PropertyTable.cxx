@@ -82,6 +82,16 @@ PropertyTable::Row& PropertyTable::Vector(const std::string& name, const double*
   return this->Add(name, TextOf(value[0]) + " " + TextOf(value[1]) + " " + TextOf(value[2]));
 }
 
+PropertyTable::Row& PropertyTable::List(const std::string& name, const std::vector<double>& values)
+{
+  std::string text;
+  for (const double value : values)
+  {
+    text += (text.empty() ? "" : " ") + TextOf(value);
+  }
+  return this->Add(name, text);
+}
+
 void PropertyTable::Check() const
 {
   for (const Row& row : this->Rows)

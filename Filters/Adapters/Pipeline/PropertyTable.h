@@ -46,6 +46,7 @@ public:
   Row& Switch(const std::string& name, bool value);
   Row& Text(const std::string& name, const std::string& value);
   Row& Vector(const std::string& name, const double* value);
+  Row& List(const std::string& name, const std::vector<double>& values);
 
   /// \throw InvalidInput a value is out of its range, or not a number: the label of the first, its value and the range.
   void Check() const;

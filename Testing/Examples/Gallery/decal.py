@@ -4,17 +4,12 @@ An image lies on a bath toy around a point of its wing, with little distortion: 
 the rim of the image goes on over the rest of the surface.
 """
 
-import os
-
 import numpy as np
 from scene import *
 import surfaces
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 
-def write_sun(name, size=512):
+def sun(size=512):
     """A sun with a face, on ivory; its rim is ivory, as what lies at the rim of an image goes on beyond."""
     y, x = np.mgrid[-1:1:size * 1j, -1:1:size * 1j]
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
@@ -24,23 +19,15 @@ def write_sun(name, size=512):
     eyes = np.minimum(np.hypot(x - 0.2, y - 0.15), np.hypot(x + 0.2, y - 0.15)) < 0.06
     smile = (np.abs(radius - 0.33) < 0.035) & (y < -0.12)
     image[eyes | smile] = np.array(BLUE) * 255
-    data = vtkImageData()
-    data.SetDimensions(size, size, 1)
-    data.GetPointData().SetScalars(numpy_to_vtk(image.reshape(-1, 3).astype("u1"), deep=True))
-    writer = vtkPNGWriter()
-    writer.SetFileName(name)
-    writer.SetInputData(data)
-    writer.Write()
+    return image
 
 
 def main():
     carried = ParallelTransport(Input=surfaces.source(surfaces.duck(0.03)), Point=[-0.1, 0.05, 0.9], Direction=[1, 0, 0], TextureSize=1.1)
     view = view_from([0.1, 0.2, 1], [900, 720])
-    write_sun("sun.png")
     display = show_surface(carried, view, [1, 1, 1])
-    display.Texture, display.RepeatTextures = CreateTexture("sun.png"), 0
+    display.Texture, display.RepeatTextures = texture_of(sun()), 0
     save(view, "decal", 1.3)
-    os.remove("sun.png")
     return carried
 
 

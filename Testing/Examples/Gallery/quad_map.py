@@ -4,15 +4,9 @@ Left, the squares of the map as a checkerboard: they continue over its seams (re
 the quads around vertices of three quads are red, and those around vertices of five green.
 """
 
-import os
-import tempfile
-
 import numpy as np
 from scene import *
 from surfaces import duck, source
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 APART = 2.9
 
@@ -21,16 +15,7 @@ def checkerboard(size=64):
     """The texture of one square in four fields, so that colours are the same on both sides of a seam, however it turns."""
     half = np.arange(size) < size // 2
     dark = half[:, None] == half[None, :]
-    image = vtkImageData()
-    image.SetDimensions(size, size, 1)
-    colours = np.where(dark[..., None], np.array(BLUE) * 255, np.array(IVORY) * 255).astype("u1")
-    image.GetPointData().SetScalars(numpy_to_vtk(colours.reshape(-1, 3), deep=True))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    with tempfile.TemporaryDirectory() as folder:
-        writer.SetFileName(os.path.join(folder, "checkerboard.png"))
-        writer.Write()
-        return CreateTexture(writer.GetFileName())
+    return texture_of(np.where(dark[..., None], np.array(BLUE) * 255, np.array(IVORY) * 255))
 
 
 def main():

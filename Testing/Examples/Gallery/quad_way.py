@@ -4,16 +4,10 @@ A cross field with its singularities; the map whose integer grid follows it, as 
 half-integers, of u (red) and v (blue), which cross once for each quad; the quads.
 """
 
-import os
-import tempfile
-
 import numpy as np
 
 from scene import *
 from surfaces import duck, source
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 APART = 3.1
 
@@ -25,15 +19,7 @@ def square(size=64, width=3):
     frame = np.ones((size, size), bool)
     frame[inside, inside] = False
     colours[frame] = (26, 66, 115)
-    image = vtkImageData()
-    image.SetDimensions(size, size, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(colours.reshape(-1, 3).astype(np.uint8), deep=True))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    with tempfile.TemporaryDirectory() as folder:
-        writer.SetFileName(os.path.join(folder, "square.png"))
-        writer.Write()
-        return CreateTexture(writer.GetFileName())
+    return texture_of(colours)
 
 
 def isolines(map, coordinate):

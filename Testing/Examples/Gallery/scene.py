@@ -1,9 +1,15 @@
 """What the scenes of the gallery share: how surfaces are opened, lit and coloured, and how fields are drawn on them."""
 
+import os
+import tempfile
+
 import numpy as np
 from paraview.simple import *
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 try:
@@ -119,6 +125,22 @@ def show_quads(quads, view, width=0.0011, **properties):
     show_surface(quads, view, **properties)
     show(Tube(Input=ExtractEdges(Input=quads), Radius=width * size_of(quads), NumberofSides=8), view, BLUE, **properties)
     show(OutputPort(quads, 2), view, Representation="Sign Colors", Specular=0.4, **properties)
+
+
+def texture_of(colours):
+    """A texture of rows of pixels, the lowest first: height x width x 3 numbers from 0 to 255."""
+    height, width = colours.shape[:2]
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.reshape(colours, (-1, 3)).astype("u1"), deep=True))
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    with tempfile.TemporaryDirectory() as folder:
+        writer.SetFileName(os.path.join(folder, "texture.png"))
+        writer.Write()
+        texture = CreateTexture(writer.GetFileName())
+        texture.FileName = writer.GetFileName()  # ParaView 5.13 has not read it before
+        return texture
 
 
 def save(view, name, zoom=1.3):
