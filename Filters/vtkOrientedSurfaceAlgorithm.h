@@ -56,9 +56,10 @@ public:
 
   ///@{
   /**
-   * Whether points of the boundary that coincide are joined: those that are equal, or nearer to each other than single precision
-   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls stay,
-   * however thin. Default on.
+   * Whether points of the boundary that coincide are joined: those that are equal, or nearer to each other than the rounding of coordinates,
+   * and than a hundredth of the edges there. The rounding is that of single precision; of coordinates in double precision, as
+   * those of a national grid, that which the surface would have in single precision around the origin. So seams close, as those of ParaView's
+   * Cylinder, soups of triangles become surfaces, and cells that are there twice count once. Gaps and walls that are wider stay. Default on.
    */
   vtkSetMacro(JoinPoints, bool);
   vtkGetMacro(JoinPoints, bool);

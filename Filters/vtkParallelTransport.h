@@ -3,7 +3,7 @@
  * @brief   directions carried over a surface along shortest paths, and polar coordinates around a point
  *
  * Vectors that are given at a few places are carried to everywhere: each place takes the vector of the nearest source, which keeps its
- * angle to the shortest path (the vector heat method, Sharp, Soliman and Crane 2019). The logarithmic map of a point gives each place
+ * angle to the shortest path. The logarithmic map of a point gives each place
  * the direction in which the shortest path to it starts, and its length: coordinates for decals and polar plots, with little distortion
  * near the point (angles by the affine heat method, Soliman and Sharp 2025). Filters/Core/Geodesics/ParallelTransport.md has the formulas.
  *
@@ -46,7 +46,7 @@
  *
  * @section vtkParallelTransport-Execution Execution
  *
- * Sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
+ * The map takes sparse factors, made once for a surface and a time step, and kept: a moved point then costs some solves. Vectors take none.
  * Blocks of composite inputs are surfaces of their own, each with a point of its own.
  *
  * @sa vtkHarmonicFieldSolver
@@ -160,8 +160,8 @@ public:
 
   ///@{
   /**
-   * The time of the diffusion as a multiple of the mean squared edge length. With more, heat takes ways beside the shortest one, and vectors
-   * blend over a wider band between two sources. With less, the edges of the mesh bend its way. Default 2, range 0.01 to 1000.
+   * The time of the diffusion by which the map finds angles, as a multiple of the mean squared edge length. With more, heat takes ways beside
+   * the shortest one. With less, the edges of the mesh bend its way. Default 2, range 0.01 to 1000.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);

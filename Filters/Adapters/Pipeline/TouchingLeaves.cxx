@@ -94,21 +94,10 @@ Boundary BoundaryOf(vtkDataSet* surface)
   return boundary;
 }
 
-/// The distance that single precision does not tell from none.
-double RoundingOf(const Boundary& boundary)
-{
-  double largest = 0.0;
-  for (const NearPlaces::Place& place : boundary.Places)
-  {
-    largest = std::max({ largest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
-  }
-  return 16.0 / (1 << 23) * largest;
-}
-
 /// Whether two points at least of both boundaries are at the same places.
 bool TouchesAny(const std::vector<Boundary>& former, const Boundary& boundary)
 {
-  const double rounding = RoundingOf(boundary);
+  const double rounding = NearPlaces::Rounding(boundary.Places);
   const NearPlaces near(boundary.Places, rounding);
   vtkBoundingBox around = boundary.Box;
   around.Inflate(rounding);

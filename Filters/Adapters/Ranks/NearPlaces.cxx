@@ -1,5 +1,6 @@
 #include "Adapters/Ranks/NearPlaces.h"
 
+#include "Preparation/CoincidingPoints.h"
 #include "Support/Hash.h"
 
 #include "vtkPointSet.h"
@@ -17,6 +18,16 @@ double RoundOffOfPoints(vtkDataSet* dataset)
   auto* const points = vtkPointSet::SafeDownCast(dataset);
   const bool areSingle = points && points->GetPoints() && points->GetPoints()->GetDataType() != VTK_DOUBLE;
   return areSingle ? 4.0 * std::numeric_limits<float>::epsilon() : 8.0 * std::numeric_limits<double>::epsilon();
+}
+
+double NearPlaces::Rounding(const std::vector<Place>& places)
+{
+  Points positions(static_cast<Eigen::Index>(places.size()), 3);
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    positions.row(static_cast<Eigen::Index>(k)) << places[k][0], places[k][1], places[k][2];
+  }
+  return RoundingOf(positions);
 }
 
 std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place) const

@@ -20,6 +20,9 @@ class NearPlaces
 public:
   using Place = std::array<double, 3>;
 
+  /// The distance that the precision of these coordinates does not tell from none (RoundingOf of the core).
+  static double Rounding(const std::vector<Place>& places);
+
   /// Borrows the places. \param tolerance two are near each other if no coordinates differ by more. Cost: n log n.
   NearPlaces(const std::vector<Place>& places, double tolerance);
 

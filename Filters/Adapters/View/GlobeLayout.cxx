@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 
 namespace dmg
 {
@@ -110,7 +111,7 @@ public:
   PointsAtPlaces(vtkDataSet* dataset, std::vector<vtkIdType> points)
     : Points(std::move(points))
     , Places(PlacesOf(dataset, this->Points))
-    , Near(this->Places, Rounding * dataset->GetLength())
+    , Near(this->Places, RoundingOfAll(dataset))
   {
   }
 
@@ -124,6 +125,13 @@ public:
   }
 
 private:
+  static double RoundingOfAll(vtkDataSet* dataset)
+  {
+    std::vector<vtkIdType> all(dataset->GetNumberOfPoints());
+    std::iota(all.begin(), all.end(), 0);
+    return NearPlaces::Rounding(PlacesOf(dataset, all));
+  }
+
   static std::vector<NearPlaces::Place> PlacesOf(vtkDataSet* dataset, const std::vector<vtkIdType>& points)
   {
     std::vector<NearPlaces::Place> places(points.size());

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -32,6 +33,9 @@ constexpr double LargestDecay = 300.0;
 
 /// The heat below which numbers have lost digits: the smallest normal double is 2e-308.
 constexpr double SmallestHeat = 1e-290;
+
+/// Directions whose sum is shorter than this cancel each other.
+constexpr double Cancelling = 1e-9;
 
 constexpr int Grain = 4096;
 
@@ -135,15 +139,9 @@ public:
   Internals(const FramedMesh& surface, const TransportOptions& options, const ExecutionContext& context);
 
   void MakeFactors(const ExecutionContext& context);
-  /// The sources of directions, of lengths and of ones.
-  struct Heat
-  {
-    Vector<Complex> Directions;
-    CholeskySolver<double>::Columns LengthsAndOnes;
-  };
-  Heat HeatOf(const Constraints& sources) const;
+  /// The vectors at the vertices that are sources, by vertex.
+  std::map<int, Complex> VectorsOf(const Constraints& sources, std::vector<std::string>& warnings) const;
   Vector<Complex> VectorsOnFaces(const Vector<Complex>& atVertices, const ExecutionContext& context) const;
-  void CountUnreached(const std::vector<char>& hasSource, const Vector<double>& heat, TransportedField& field) const;
   /// The directions in which straight paths from a vertex to all others start, against a unit vector there; zero where no heat arrives.
   Vector<Complex> StraightDirections(int vertex, Complex unit, const ExecutionContext& context);
 
@@ -200,17 +198,22 @@ void ParallelTransport::Internals::MakeFactors(const ExecutionContext& context)
   ++this->Counts.Setups;
 }
 
-ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Constraints& sources) const
+std::map<int, Complex> ParallelTransport::Internals::VectorsOf(
+  const Constraints& sources, std::vector<std::string>& warnings) const
 {
-  const TriangleMesh& mesh = this->Surface.Mesh;
-  Heat heat;
-  heat.Directions.setZero(mesh.NumberOfVertices());
-  heat.LengthsAndOnes.setZero(mesh.NumberOfVertices(), 2);
-  const auto add = [&heat](int vertex, Complex direction, double length, double share)
+  struct Sums
   {
-    heat.Directions[vertex] += share * direction;
-    heat.LengthsAndOnes(vertex, 0) += share * length;
-    heat.LengthsAndOnes(vertex, 1) += share;
+    Complex Directions;
+    double Lengths = 0.0, Shares = 0.0;
+  };
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  std::map<int, Sums> sums;
+  const auto add = [&sums](int vertex, Complex direction, double length, double share)
+  {
+    Sums& at = sums[vertex];
+    at.Directions += share * direction;
+    at.Lengths += share * length;
+    at.Shares += share;
   };
   const ElementNames names;
   for (const Constraint& at : sources.AtVertices)
@@ -231,7 +234,23 @@ ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Co
       add(mesh.Tail(h), this->Connection.TurnFromFace(h) * direction, std::abs(vector), on.Weight / 3.0);
     }
   }
-  return heat;
+  std::map<int, Complex> vectors;
+  int cancelled = 0;
+  for (const auto& [vertex, sum] : sums)
+  {
+    const bool isAny = std::abs(sum.Directions) > Cancelling * sum.Shares;
+    if (sum.Shares > 0.0)
+    {
+      vectors[vertex] = isAny ? sum.Lengths / sum.Shares * UnitOf(sum.Directions) : Complex(0.0);
+      cancelled += isAny ? 0 : 1;
+    }
+  }
+  if (cancelled > 0)
+  {
+    warnings.push_back("The vectors given at " + std::to_string(cancelled) + " of " + std::to_string(vectors.size()) +
+      " points cancel each other; what is carried from there is zero.");
+  }
+  return vectors;
 }
 
 Vector<Complex> ParallelTransport::Internals::VectorsOnFaces(
@@ -257,23 +276,6 @@ Vector<Complex> ParallelTransport::Internals::VectorsOnFaces(
       }
     });
   return vectors;
-}
-
-void ParallelTransport::Internals::CountUnreached(
-  const std::vector<char>& hasSource, const Vector<double>& heat, TransportedField& field) const
-{
-  int tooFar = 0;
-  for (int vertex = 0; vertex < heat.size(); ++vertex)
-  {
-    const bool isReached = hasSource[this->Components[vertex]] != 0;
-    field.WithoutSource += isReached ? 0 : 1;
-    tooFar += isReached && !(heat[vertex] > SmallestHeat) ? 1 : 0;
-  }
-  if (tooFar > 0)
-  {
-    field.Warnings.push_back(std::to_string(tooFar) + " of " + std::to_string(heat.size()) +
-      " points are too far away for the diffusion; the field is zero there. Raise the time step.");
-  }
 }
 
 Vector<Complex> ParallelTransport::Internals::StraightDirections(
@@ -316,27 +318,25 @@ TransportedField ParallelTransport::Carry(const Constraints& sources, const Exec
     throw InvalidInput("there is no direction to carry; give one at least, at a vertex or on a face");
   }
   CheckSizes(sources);
-  const Internals::Heat sourcesOfHeat = of.HeatOf(sources);
-  of.MakeFactors(PartOfContext(context, 0.0, 0.8));
-  Vector<Complex> directions;
-  CholeskySolver<double>::Columns heat;
-  of.OfVectors->Solve(sourcesOfHeat.Directions, directions);
-  context.Checkpoint(0.9);
-  of.OfFunctions->Solve(sourcesOfHeat.LengthsAndOnes, heat);
-  ++of.Counts.Solves;
-
-  std::vector<char> hasSource(of.Components.size(), 0); // by component
-  for (int vertex = 0; vertex < heat.rows(); ++vertex)
-  {
-    hasSource[of.Components[vertex]] |= sourcesOfHeat.LengthsAndOnes(vertex, 1) > 0.0 ? 1 : 0;
-  }
+  std::vector<PathStart> starts;
+  std::vector<Complex> vectors;
   TransportedField field;
-  of.CountUnreached(hasSource, heat.col(1), field);
-  field.AtVertices.resize(heat.rows());
-  for (int vertex = 0; vertex < heat.rows(); ++vertex)
+  for (const auto& [vertex, vector] : of.VectorsOf(sources, field.Warnings))
   {
-    const double ones = heat(vertex, 1);
-    field.AtVertices[vertex] = ones > SmallestHeat ? heat(vertex, 0) / ones * UnitOf(directions[vertex]) : Complex(0.0);
+    starts.push_back({ vertex, static_cast<int>(vectors.size()) });
+    vectors.push_back(vector);
+  }
+  constexpr double Anywhere = std::numeric_limits<double>::infinity();
+  const std::vector<ShortestPath> paths =
+    FindShortestPaths(of.Delaunay, starts, Anywhere, PartOfContext(context, 0.0, 0.9));
+  ++of.Counts.Solves;
+  field.AtVertices.setZero(static_cast<Eigen::Index>(paths.size()));
+  for (std::size_t vertex = 0; vertex < paths.size(); ++vertex)
+  {
+    const ShortestPath& path = paths[vertex];
+    field.WithoutSource += path.IsAny() ? 0 : 1;
+    field.AtVertices[static_cast<Eigen::Index>(vertex)] =
+      path.IsAny() ? vectors[path.Source] * std::polar(1.0, path.Turn) : Complex(0.0);
   }
   field.OnFaces = of.VectorsOnFaces(field.AtVertices, context);
   context.Checkpoint(1.0);

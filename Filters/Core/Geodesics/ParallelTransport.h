@@ -17,7 +17,7 @@ namespace dmg
 /// The options of parallel transport.
 struct TransportOptions
 {
-  /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1000. With longer times heat
+  /// The time of the diffusion by which maps find angles, as a multiple of the mean squared edge length, from 0.01 to 1000. With longer times heat
   /// takes more ways beside the shortest one. With shorter ones the edges of the mesh bend its way.
   double TimeStep = 2.0;
 
@@ -48,18 +48,17 @@ struct LogarithmicMap
   int Unreached = 0;     ///< vertices on other components
 };
 
-/// Carries tangent vectors from a few places to everywhere along shortest paths, by short diffusion, and finds logarithmic maps.
+/// Carries tangent vectors from a few places to everywhere along shortest paths, and finds logarithmic maps.
 /// ParallelTransport.md has the formulas.
 ///
 ///   dmg::ParallelTransport transport(surface);
 ///   const dmg::TransportedField field = transport.Carry(sources);
 ///   const dmg::LogarithmicMap map = transport.Map(vertex, 1.0);
 ///
-/// The matrices are those of the intrinsic Delaunay triangulation, so bad triangles do no harm. They are factored: far from a
-/// source heat is e^-300 of that at the source, and only a factor has digits there. Vector heat method: Sharp, Soliman
-/// and Crane 2019. Logarithmic map: distances by FindShortestPaths, angles by the affine heat method, Soliman and Sharp 2025, where paths do
-/// not bend around a hole.
-/// Cost: a real and a complex sparse factor of #V unknowns at the first call; after that, two solves for each field, and three for a map.
+/// Paths are those of a wavefront over the intrinsic Delaunay triangulation (FindShortestPaths), so bad triangles do no harm. Where they do not
+/// bend around a hole, angles of maps are those of the affine heat method (Soliman and Sharp 2025). Its matrices are factored: far from a
+/// source heat is e^-300 of that at the source, and only a factor has digits there.
+/// Cost: O(#V log #V) for a field. A real and a complex sparse factor of #V unknowns at the first map, and three solves for each.
 class ParallelTransport
 {
 public:
@@ -71,11 +70,11 @@ public:
   ~ParallelTransport();
   ParallelTransport(ParallelTransport&&) noexcept;
 
-  /// Each place has the direction and the length of the vector of the nearest source.
+  /// Each place has the direction and the length of the vector of the nearest source, and a face the mean direction and the mean length of its
+  /// corners.
   /// \param sources directions at vertices and on faces; their tangential part is carried. Weights are the shares of copies. Several
   ///   at one vertex are averaged.
   /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element; CheckSizes.
-  /// \throw SolverFailure memory ran out.
   /// \throw Cancelled
   TransportedField Carry(const Constraints& sources, const ExecutionContext& context = SerialContext());
 

@@ -321,15 +321,16 @@ private:
     const ShortestPath& path = this->Paths[from];
     const double outset = path.IsAtSource() ? direction : path.Outset;
     const double turn = AngleBetween(direction, path.Arrival) / this->Surface.Stretch(from);
+    const double turned = AngleBetween(path.Turn + arrival, direction);
     if (path.IsAtSource() || std::abs(turn) > StraightAngle)
     {
-      this->Reach(to, { path.Length + length, arrival, outset, path.Length, path.Source, { from, from } });
+      this->Reach(to, { path.Length + length, arrival, outset, path.Length, path.Source, { from, from }, turned });
       return;
     }
     const Complex ray = length + std::polar(path.Length - path.Bend, -turn);
     this->Reach(to,
       { path.Bend + std::abs(ray), arrival + this->Surface.Stretch(to) * std::arg(ray), outset, path.Bend, path.Source,
-        { from, from } });
+        { from, from }, turned });
   }
 
   void Across(int side)
@@ -384,9 +385,12 @@ private:
       const double outset = toA > 0.0 && toB > 0.0 ? a.Outset + part * AngleBetween(b.Outset, a.Outset)
         : toA > 0.0                                ? a.Outset
                                                    : b.Outset;
+      // The error of a way along edges is the curvature in the triangle beside it. Those of both ways cancel in this mean.
+      const double fromTail = this->TurnAtApex(side, true), fromHead = this->TurnAtApex(side, false);
       this->Reach(this->Apex(side),
         { bend + face.LengthAcross(square, s), this->ArrivalAtApex(side, face, face.C - s * face.L), outset, bend,
-          a.Source, s < 0.5 ? std::array<int, 2>{ tail, head } : std::array<int, 2>{ head, tail } });
+          a.Source, s < 0.5 ? std::array<int, 2>{ tail, head } : std::array<int, 2>{ head, tail },
+          AngleBetween(fromTail, -s * AngleBetween(fromHead, fromTail)) });
     }
   }
 
@@ -446,7 +450,7 @@ private:
     {
       this->Reach(this->Apex(side),
         { path.LengthTo(face.C), this->ArrivalAtApex(side, face, face.C - path.From), path.Path.Outset, path.Path.Bend,
-          path.Path.Source, { path.End, other.End } });
+          path.Path.Source, { path.End, other.End }, this->TurnAtApex(side, path.End == this->Surface.Tail(side)) });
     }
   }
 
@@ -457,6 +461,14 @@ private:
   {
     const int toA = TriangleMesh::Previous(side);
     return this->Surface.Direction(toA) + Pi + this->Surface.Stretch(this->Apex(side)) * std::arg(ray / face.C);
+  }
+
+  /// The turn at the third corner of a side's face by way of one end of the side.
+  double TurnAtApex(int side, bool isByTail) const
+  {
+    const int back = TriangleMesh::Previous(side), next = TriangleMesh::Next(side);
+    return isByTail ? AngleBetween(this->Paths[this->Surface.Tail(side)].Turn, this->Surface.Transport(back))
+                    : AngleBetween(this->Paths[this->Surface.Head(side)].Turn, -this->Surface.Transport(next));
   }
 
   double Cosine(int vertex, const ShortestPath& path, double direction) const

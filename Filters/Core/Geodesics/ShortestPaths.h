@@ -23,6 +23,8 @@ struct ShortestPath
   /// The ends of the side that it crosses last, the one that is nearer to it first; twice the same vertex where it comes along an edge;
   /// -1 at a source.
   std::array<int, 2> Parents = { -1, -1 };
+  /// The turn of a vector that is carried along it, from the frame of the vertex where it starts into that of this one; in radians.
+  double Turn = 0.0;
 
   bool IsAny() const { return this->Source >= 0; }
   bool IsAtSource() const { return this->IsAny() && this->Parents[0] < 0; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -223,6 +224,34 @@ std::vector<int> FirstOfEqual(const Points& positions)
     first[order[k]] = isEqual ? first[order[k - 1]] : order[k];
   }
   return first;
+}
+
+std::vector<int> FirstOfCoinciding(const Points& positions, const Triangles& corners)
+{
+  constexpr double Unused = std::numeric_limits<double>::infinity();
+  std::vector<double> sizes(positions.rows(), Unused);
+  for (Eigen::Index t = 0; t < corners.rows(); ++t)
+  {
+    const auto at = [&](int k) { return positions.row(corners(t, k % 3)); };
+    const double size = std::sqrt(
+      std::max({ (at(0) - at(1)).squaredNorm(), (at(1) - at(2)).squaredNorm(), (at(2) - at(0)).squaredNorm() }));
+    for (int k = 0; k < 3; ++k)
+    {
+      double& least = sizes[corners(t, k)];
+      least = std::min(least, size);
+    }
+  }
+  std::vector<BoundaryPoint> points;
+  for (std::size_t point = 0; point < sizes.size(); ++point)
+  {
+    if (sizes[point] < Unused)
+    {
+      points.push_back({ static_cast<int>(point), sizes[point] });
+    }
+  }
+  DisjointSets sets(static_cast<int>(positions.rows()));
+  JoinBoundary(positions, points, sets);
+  return sets.AllSmallest();
 }
 
 void BoundaryPoints::Add(const Points& positions, int a, int b, int c)

@@ -26,7 +26,7 @@ struct BoundaryPoint
 };
 
 /// Unites pairs of points that are no farther from each other than a distance. A chain of pairs that is longer than that is kept: it is a
-/// row of a boundary-layer mesh, whose layers may be thinner than single precision resolves.
+/// row of a boundary-layer mesh, whose layers may be thinner than coordinates resolve.
 /// \return whether there were any.
 bool UniteNear(
   const Points& positions, const std::vector<std::array<int, 2>>& pairs, double distance, DisjointSets& sets);
@@ -41,6 +41,10 @@ bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& poi
 
 /// The first row of each place: equal rows have the same number. Cost: O(n log n).
 std::vector<int> FirstOfEqual(const Points& positions);
+
+/// For each point the first of those that coincide with it, as JoinBoundary would unite the corners of all triangles; other points are alone.
+/// Cost: O(n log n).
+std::vector<int> FirstOfCoinciding(const Points& positions, const Triangles& corners);
 
 /// Gathers the points of boundary sides.
 class BoundaryPoints

@@ -327,7 +327,7 @@ PreparedSurface PrepareSurface(
       {
         throw;
       }
-      // The whole surface is thinner than single precision tells: nothing of it is joined.
+      // The whole surface is thinner than the rounding of coordinates: nothing of it is joined.
     }
   }
   given = CellTriangles(); // frees its memory before more is needed

@@ -43,10 +43,10 @@ struct PreparedSurface
 /// Makes an oriented manifold mesh of whatever triangles there are, without new points.
 ///
 /// A surface that is one already stays as it is, and costs one pass over its boundary more than the mesh. Else:
-/// - Points of the boundary that coincide are joined: equal ones, and those that single precision does not tell
-///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay, and so do thin layers of
+/// - Points of the boundary that coincide are joined: equal ones, and those that the rounding of the coordinates does not tell
+///   apart (RoundingOf), nearer than a hundredth of the edges there. Wider walls and gaps stay, and so do thin layers of
 ///   cells (UniteNear).
-/// - Doubled triangles and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them. Both
+/// - Doubled triangles, whose corners coincide in the same way, as those of a cyclic column, and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them. Both
 ///   sides of a face that two solids share stay (KeepTwinsOfSolids).
 /// - At an edge of more than two triangles, those stay joined that continue each other (SheetsAtEdge): the boundaries of
 ///   solids that touch stay closed, and a plate goes on under its stiffener.

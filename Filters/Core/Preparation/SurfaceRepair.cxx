@@ -39,7 +39,8 @@ public:
   RepairedSurface Run()
   {
     this->CheckPositions();
-    this->Equal = this->JoinsPoints ? FirstOfEqual(this->Input.Positions) : std::vector<int>();
+    this->Equal =
+      this->JoinsPoints ? FirstOfCoinciding(this->Input.Positions, this->Input.Corners) : std::vector<int>();
     this->JoinSidesWithoutLength();
     this->LeaveOut();
     this->PairParticipants();
@@ -336,7 +337,7 @@ private:
   const ExecutionContext& Context;
   const int Size;
   DisjointSets JoinedPoints;
-  std::vector<int> Equal;        ///< the first point of each place; empty where points are not joined
+  std::vector<int> Equal;        ///< the first of the points that coincide; empty where points are not joined
   Triangles Corners;             ///< of all triangles, after points were joined
   std::vector<int> Places;       ///< equal for points at one place
   std::vector<int> Twins;        ///< per triangle: the one that has its place, or itself

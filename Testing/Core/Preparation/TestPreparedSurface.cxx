@@ -290,6 +290,49 @@ TEST(PreparedSurface, LetsDoubledQuadsHaveTheFacesOfTheirTwins)
   EXPECT_EQ(quad.Mesh.EulerCharacteristic(), 1);
 }
 
+// Longitudes of a file go on beyond 360 degrees, and cosines round these columns otherwise than the first ones.
+TEST(PreparedSurface, CyclicColumnsCountOnceThoughCosinesRoundThem)
+{
+  constexpr int Around = 78, Rows = 20;
+  for (const int more : { 1, 2, 5, Around })
+  {
+    for (const double first : { 0.0, 0.1 })
+    {
+      for (const bool areSingle : { false, true })
+      {
+        SCOPED_TRACE(std::to_string(more) + " columns more, in " + (areSingle ? "single" : "double") + " precision");
+        const int columns = Around + more + 1;
+        Points places(columns * (Rows + 1), 3);
+        std::vector<std::vector<int>> quads;
+        for (int row = 0; row <= Rows; ++row)
+        {
+          const double latitude = 3.0 * (row - 0.5 * Rows) / 180.0 * Pi;
+          for (int column = 0; column < columns; ++column)
+          {
+            const double longitude = first + column * (2.0 * Pi / Around);
+            const int at = row * columns + column;
+            places.row(at) << std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+              std::sin(latitude);
+            if (row < Rows && column + 1 < columns)
+            {
+              quads.push_back({ at, at + 1, at + columns + 1, at + columns });
+            }
+          }
+        }
+        places *= 6371.0;
+        places = areSingle ? places.cast<float>().cast<double>().eval() : places;
+        const PreparedSurface prepared = PrepareSurface(Triangulate(Polygons(places, quads)), {});
+        EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 2 * Around * Rows);
+        EXPECT_EQ(NumberOfComponents(prepared.Mesh), 1);
+        EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 2 * Around);
+        EXPECT_EQ(prepared.Report.CellsDoubled, more * Rows);
+        EXPECT_EQ(prepared.Report.EdgesParted + prepared.Report.PointsParted + prepared.Report.EdgesCut, 0)
+          << prepared.Report.Text();
+      }
+    }
+  }
+}
+
 TEST(PreparedSurface, LetsADoubledTriangleHaveTheFaceOfItsTwin)
 {
   const Surface sphere = Icosphere(1);
