@@ -20,8 +20,11 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkFieldQuads);
 
@@ -45,6 +48,25 @@ dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, const dmg::SurfaceVi
     sizes[face] = sum / 3.0;
   }
   return sizes;
+}
+
+/// The numbers of the chosen regions, by face; empty where none are chosen.
+std::vector<int> RegionsOf(const dmg::ChosenArray& choice, const dmg::SurfaceView& view)
+{
+  const dmg::ChosenArray chosen = dmg::FindArray(choice, view.Given(), 1, "regions", "the surface");
+  std::vector<int> regions;
+  if (chosen.Array && chosen.OnPoints())
+  {
+    throw dmg::InvalidInput("the array of regions is one of points; choose one of cells");
+  }
+  std::map<std::pair<bool, double>, int> numbers; // what is not a number is one region
+  for (int face = 0; chosen.Array && face < view.Mesh().NumberOfFaces(); ++face)
+  {
+    const double label = chosen.Array->GetComponent(view.Relation().CellOf(face), 0);
+    const auto key = std::isnan(label) ? std::make_pair(true, 0.0) : std::make_pair(false, label);
+    regions.push_back(numbers.emplace(key, static_cast<int>(numbers.size())).first->second);
+  }
+  return regions;
 }
 
 std::string SummaryOf(const dmg::QuadMesh& mesh)
@@ -121,6 +143,7 @@ int vtkFieldQuads::RequestData(
     const std::optional<dmg::Vector<dmg::Complex>> crosses =
       dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
     options.Sizes = SizesOf(dmg::ChoiceOf(this, 1), view);
+    options.Regions = RegionsOf(dmg::ChoiceOf(this, 2), view);
     const dmg::QuadMesh quads = MakeQuadsOf(*this, view, crosses, options, dmg::PartOfContext(context, 0.1, 0.95));
     dmg::MapToPolyData(quads, view, output(1));
     context.Checkpoint(0.97);

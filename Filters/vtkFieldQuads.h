@@ -20,6 +20,11 @@
  * chooses an array of positive numbers on cells or points, the length of edges there relative to other places. By default it is the same
  * everywhere. A field that is found here turns with the sizes, so that lengths vary as much as they should; a given one leaves room for a part of that.
  *
+ *   SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name)
+ *
+ * chooses an array of numbers on cells, as materials or polygroups: borders between cells of different ones become edges of quads, so that each quad
+ * has the number of its region.
+ *
  * @section vtkFieldQuads-Outputs Outputs
  *
  * Port 0, the quads: vtkPolyData. The arrays of points of the surface are interpolated at its points, and those of integers and of texts, which are
@@ -38,7 +43,7 @@
  * The field data say, of distances: DistanceFromQuads of the surface, largest and mean; FarthestPlace, where it is largest; and
  * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and
  * RatioOfSizes the largest over the smallest length of edges, asked for and reached. An int each: Singularities of the field, IrregularVertices, IrregularWithoutSingularity, FlippedTriangles
- * and TrianglesWithoutArea of the map, InvertedQuads, EdgesAgainstField of the boundary that edges of quads follow though the field does not, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
+ * and TrianglesWithoutArea of the map, InvertedQuads, EdgesAgainstField of the boundary and between regions that edges of quads follow though the field does not, LostRegions that no quad has, EulerCharacteristicOfSurface, EulerCharacteristic, RefinedTriangles where quads are smaller, SplitTriangles of
  * components that no other quads fit. Of symmetric quads, SymmetryPlane is a place of the plane and its unit normal, six numbers.
  *
  * Port 1, the map: vtkPolyData, the triangles of the surface with its arrays and TextureCoordinates, where points are doubled along cuts. Edges

@@ -383,6 +383,44 @@ TEST(FieldQuads, AreSmallerWhereTheSurfaceBends)
   EXPECT_NE(messages.Error().find("Adaptivity"), std::string::npos);
 }
 
+TEST(FieldQuads, RefuseRegionsOfPoints)
+{
+  const auto square = SquareWithArrays();
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(square);
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Sum");
+  const Messages messages(filter);
+  filter->Update();
+  EXPECT_NE(messages.Error().find("choose one of cells"), std::string::npos);
+}
+
+TEST(FieldQuads, HaveEdgesAlongBordersOfRegions)
+{
+  const auto square = SquareWithArrays();
+  const auto material = Zeros("Material", square->GetNumberOfCells(), 1);
+  for (vtkIdType cell = 0; cell < square->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    square->GetCellBounds(cell, bounds);
+    material->SetValue(cell, bounds[0] > 4.5 ? 7.5 : std::nan(""));
+  }
+  square->GetCellData()->AddArray(material);
+  vtkNew<vtkFieldQuads> filter;
+  filter->SetInputData(square);
+  filter->SetNumberOfQuads(100);
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Material");
+  filter->Update();
+  vtkPolyData* const quads = filter->GetOutput();
+  EXPECT_NEAR(static_cast<double>(quads->GetNumberOfCells()), 100.0, 15.0);
+  for (vtkIdType cell = 0; cell < quads->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    quads->GetCellBounds(cell, bounds);
+    const bool isRight = quads->GetCellData()->GetArray("Material")->GetComponent(cell, 0) == 7.5;
+    EXPECT_TRUE(isRight ? bounds[0] > 5.0 - 1e-6 : bounds[1] < 5.0 + 1e-6) << bounds[0] << " to " << bounds[1];
+  }
+}
+
 // Data of a user: cells where nothing was measured, and an array of another dataset.
 TEST(FieldQuads, HandArraysOnThatAreNotFiniteAndLeaveOutShortOnes)
 {

@@ -49,6 +49,17 @@ def euler(mesh):
 
 
 class Quads(unittest.TestCase):
+    def test_borders_of_regions_become_edges_of_quads(self):
+        mesh = plane(12)
+        labels = numpy_to_vtk((np.arange(144) % 12 < 5).astype(np.int32), deep=True)
+        labels.SetName("Material")
+        mesh.GetCellData().AddArray(labels)
+        result = quads(mesh, 100, regions="Material")
+        places = vtk_to_numpy(result.GetPoints().GetData())[corners(result)][:, :, 0]
+        material = vtk_to_numpy(result.GetCellData().GetArray("Material"))
+        self.assertTrue(np.all(np.where(material == 1, places.max(axis=1) <= 5 / 12 + 1e-6, places.min(axis=1) >= 5 / 12 - 1e-6)))
+        self.assertEqual(result.GetFieldData().GetArray("LostRegions").GetValue(0), 0)
+
     def test_a_symmetric_surface_has_symmetric_quads(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")

@@ -130,6 +130,7 @@ void AddReport(const QuadReport& report, vtkFieldData* fieldData)
   add("TrianglesWithoutArea", report.FacesWithoutArea);
   add("InvertedQuads", report.InvertedQuads);
   add("EdgesAgainstField", static_cast<int>(report.AgainstField.size()));
+  add("LostRegions", report.LostRegions);
   add("EulerCharacteristicOfSurface", report.EulerOfSurface);
   add("EulerCharacteristic", report.EulerOfMesh);
   add("RefinedTriangles", static_cast<int>(report.RefinedFaces.size()));

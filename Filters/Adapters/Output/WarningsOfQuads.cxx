@@ -101,8 +101,9 @@ std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
 {
   return report.AgainstField.empty() ? std::string()
                                      : "quads follow " + std::to_string(report.AgainstField.size()) +
-      " edges of the boundary that are off the field by more than " + ShortText(options.LargestDeviation) +
-      " degrees; to keep the field, switch Align Boundary off";
+      " edges of the boundary or between regions that are off the field by more than " +
+      ShortText(options.LargestDeviation) + " degrees; to keep the field, switch Align Boundary off" +
+      (options.Regions.empty() ? "" : " and choose no Regions");
 }
 
 std::string OfSymmetry(const QuadReport& report)
@@ -118,6 +119,13 @@ std::string OfSymmetry(const QuadReport& report)
       "there touches itself; choose another plane, or none";
 }
 
+std::string OfRegions(const QuadReport& report)
+{
+  return report.LostRegions > 0
+    ? std::to_string(report.LostRegions) + " regions are smaller than quads and have none; ask for more quads"
+    : std::string();
+}
+
 std::string OfInversion(const QuadReport& report)
 {
   return report.InvertedQuads > 0 ? std::to_string(report.InvertedQuads) + " quads are inverted; see ScaledJacobian"
@@ -131,7 +139,7 @@ std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& opt
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
     OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report, options),
-    OfDeviation(mesh.Report, options), OfInversion(mesh.Report), OfSymmetry(mesh.Report) };
+    OfDeviation(mesh.Report, options), OfInversion(mesh.Report), OfSymmetry(mesh.Report), OfRegions(mesh.Report) };
 }
 
 }

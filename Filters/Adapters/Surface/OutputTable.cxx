@@ -205,6 +205,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkFieldQuads", 0, "FlippedTriangles", Field, 1 },
     { "vtkFieldQuads", 0, "TrianglesWithoutArea", Field, 1 },
     { "vtkFieldQuads", 0, "InvertedQuads", Field, 1 },
+    { "vtkFieldQuads", 0, "LostRegions", Field, 1 },
     { "vtkFieldQuads", 0, "EulerCharacteristicOfSurface", Field, 1 },
     { "vtkFieldQuads", 0, "EulerCharacteristic", Field, 1 },
     { "vtkFieldQuads", 0, "RefinedTriangles", Field, 1 },

@@ -111,8 +111,7 @@ private:
     mesh.IsCut = this->Rounds.Cut.IsCut;
     this->Report.LengthOfEdges = this->Report.LengthScale * this->Rounds.Lengths.Mean;
     this->Report.SplitSingularities = this->Rounds.SplitSingularities;
-    this->Report.AgainstField =
-      BoundaryAgainstField(this->Mesh, this->Rounds.Angles, this->Rounds.Field, this->Options);
+    this->Report.AgainstField = LinesAgainstField(this->Mesh, this->Rounds.Angles, this->Rounds.Field, this->Options);
     this->Report.FlippedFaces = NumberOfFaces(mesh.Map, -1);
     this->Report.FacesWithoutArea = NumberOfFaces(mesh.Map, 0);
     this->Report.Singularities =
@@ -243,7 +242,7 @@ private:
     }
     mesh.Report = this->Report;
     MeasureQuads({ this->Rounds.Surface, this->Rounds.Places, this->Rounds.Components, this->Rounds.Lengths.OnFaces,
-                   this->Options.Sizes },
+                   this->Options.Sizes, this->Options.Regions },
       topology, mesh, PartOfContext(context, 0.6, 1.0));
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace dmg
 {
@@ -86,6 +87,19 @@ void MeasureAreas(const MeasuredSurface& on, const Vector<double>& areasOfQuads,
   mesh.Report.LeastCovered = static_cast<int>(face - components.begin());
 }
 
+void CountLostRegions(const std::vector<int>& regions, QuadMesh& mesh)
+{
+  if (!regions.empty())
+  {
+    std::set<int> lost(regions.begin(), regions.end());
+    for (const int face : mesh.Faces)
+    {
+      lost.erase(regions[face]);
+    }
+    mesh.Report.LostRegions = static_cast<int>(lost.size());
+  }
+}
+
 /// Fits a power to the lengths of edges against those that were asked for, where no other reason makes them shorter.
 void MeasureSizes(const MeasuredSurface& on, const Vector<double>& areasOfQuads, QuadMesh& mesh)
 {
@@ -140,6 +154,7 @@ void MeasureQuads(
   MeasureShapes(on, topology, mesh);
   MeasureAreas(on, areas, mesh);
   MeasureSizes(on, areas, mesh);
+  CountLostRegions(on.Regions, mesh);
   MeasureDistances(on, areas, mesh, context);
 }
 

@@ -17,6 +17,7 @@ struct MeasuredSurface
   const std::vector<int>& Components; ///< FaceComponents
   const Vector<double>& Lengths;      ///< by face, of edges that are aimed at
   const Vector<double>& Sizes;        ///< as QuadOptions::Sizes
+  const std::vector<int>& Regions;    ///< as AlignmentOptions::Regions
 };
 
 /// Fills in the part of the report of a quad mesh that its quads tell, scaled Jacobians and the grid.

@@ -48,7 +48,7 @@ struct QuadReport
   int EulerOfSurface = 0; ///< without what is left out
   int EulerOfMesh = 0;
   int Refinements = 0; ///< rounds in which edges were halved somewhere
-  /// Sides of faces of the surface, as halfedges, on the boundary that edges of quads follow though the field is off by more than
+  /// Sides of faces of the surface, as halfedges, on the boundary and between regions, that edges of quads follow though the field is off by more than
   /// AlignmentOptions::LargestDeviation; ascending.
   std::vector<int> AgainstField = {};
   std::vector<int> RefinedFaces = {}; ///< of the surface, where they are shorter than was aimed at; ascending
@@ -56,6 +56,7 @@ struct QuadReport
   int LeftOut = 0;                    ///< components of two faces back to back that no quads fit
   double LengthScale = 1.0; ///< by which lengths were scaled after they had been fitted to the number of quads
   bool IsShortened = false; ///< whether that was as longer edges do not fit the surface
+  int LostRegions = 0;      ///< numbers of AlignmentOptions::Regions that no quad has
   int CutOff = 0;           ///< twice the number of places where a thin part at the boundary may be lost
   QuadDistances Distances = {};
   std::vector<double>

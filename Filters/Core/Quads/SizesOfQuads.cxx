@@ -46,6 +46,11 @@ void CheckOptions(const FramedMesh& surface, const QuadOptions& options, const E
     throw InvalidInput("there are " + std::to_string(options.Sizes.size()) + " sizes for " + std::to_string(faces) +
       " faces; give one per face, or none");
   }
+  if (!options.Regions.empty() && static_cast<int>(options.Regions.size()) != faces)
+  {
+    throw InvalidInput("there are " + std::to_string(options.Regions.size()) + " regions for " + std::to_string(faces) +
+      " faces; give a number for each face, or none");
+  }
   for (int face = 0; face < options.Sizes.size(); ++face)
   {
     if (!(options.Sizes[face] > 0.0) || !std::isfinite(options.Sizes[face]))
@@ -130,13 +135,16 @@ QuadOptions WithSizesAlone(
 QuadOptions OptionsOf(const QuadOptions& options, const FinerSurface& finer)
 {
   QuadOptions others = options;
-  if (options.Sizes.size() > 0)
+  const int faces = static_cast<int>(finer.Parents.size());
+  others.Sizes.resize(options.Sizes.size() > 0 ? faces : 0);
+  others.Regions.resize(options.Regions.empty() ? 0 : faces);
+  for (int face = 0; face < others.Sizes.size(); ++face)
   {
-    others.Sizes.resize(static_cast<int>(finer.Parents.size()));
-    for (int face = 0; face < others.Sizes.size(); ++face)
-    {
-      others.Sizes[face] = options.Sizes[finer.Parents[face]];
-    }
+    others.Sizes[face] = options.Sizes[finer.Parents[face]];
+  }
+  for (std::size_t face = 0; face < others.Regions.size(); ++face)
+  {
+    others.Regions[face] = options.Regions[finer.Parents[face]];
   }
   return others;
 }

@@ -23,7 +23,7 @@ namespace dmg
 QuadOptions WithSizesAlone(
   const FramedMesh& surface, const QuadOptions& options, const ElementNames& names, const ExecutionContext& context);
 
-/// The wishes for a surface of parts: sizes are those of their parents.
+/// The wishes for a surface of parts: sizes and regions are those of their parents.
 QuadOptions OptionsOf(const QuadOptions& options, const FinerSurface& finer);
 
 /// Shortens lengths so that they grow along the surface by a fifth of the distance at most: faster, quads are no squares.

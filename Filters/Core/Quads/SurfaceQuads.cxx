@@ -89,6 +89,9 @@ QuadMesh MakeQuadsAlongFeatures(
   {
     problem.Constraints.OnFaces = AlongSharpLines(solver.Surface(), options, WeightOfAligned);
   }
+  const std::vector<Constraint> borders =
+    AlongBorders(solver.Surface(), finer ? OptionsOf(options, *finer) : options, WeightOfAligned);
+  problem.Constraints.OnFaces.insert(problem.Constraints.OnFaces.end(), borders.begin(), borders.end());
   problem.UnitLengthWhileSmoothing = true;
   const Field& field = *WithRemedyOfQuads(
     [&] { return &solver.Solve(problem, PartOfContext(context, 0.05, 0.3), finer ? finer->NamesOf(names) : names); });

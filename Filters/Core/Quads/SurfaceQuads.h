@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// Makes a pure quad mesh of a bare surface: MakeQuads with the smoothest cross field of unit length, which follows the boundary and sharp
+/// Makes a pure quad mesh of a bare surface: MakeQuads with the smoothest cross field of unit length, which follows the boundary, borders of regions and sharp
 /// edges as far as the options align edges to these. The field is found on the surface that quads are made of (SurfaceForQuads).
 /// \throw InvalidInput as MakeQuads. \throw SolverFailure as FieldSolver::Solve.
 QuadMesh MakeQuadsAlongFeatures(const FramedMesh& surface, const QuadOptions& options = {},

@@ -346,8 +346,8 @@ QuadMesh MakeSymmetricQuads(const FramedMesh& surface, const std::optional<Vecto
   report.EulerOfSurface = surface.Mesh.EulerCharacteristic() - 2 * report.LeftOut;
   const std::vector<int> components = FaceComponents(surface.Mesh);
   const LengthsOfEdges lengths = FindLengthsOfEdges(surface.Mesh, components, options);
-  MeasureQuads(
-    { surface, places, components, lengths.OnFaces, options.Sizes }, topology, mesh, PartOfContext(context, 0.9, 1.0));
+  MeasureQuads({ surface, places, components, lengths.OnFaces, options.Sizes, options.Regions }, topology, mesh,
+    PartOfContext(context, 0.9, 1.0));
   return mesh;
 }
 

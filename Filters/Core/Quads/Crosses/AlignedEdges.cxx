@@ -32,6 +32,30 @@ std::vector<Constraint> AlongAllSharpEdges(const FramedMesh& surface, double deg
   return AlongSharpEdges(surface, WeightsOfFaces(surface.Mesh, SizesOf(surface.Mesh)), degrees, weight);
 }
 
+/// Directions along edges that are sharper than an angle and on lines.
+std::vector<Constraint> AlongLines(
+  const FramedMesh& surface, double degrees, const std::vector<char>& isOnLine, double weight)
+{
+  std::vector<Constraint> along = AlongAllSharpEdges(surface, degrees, weight);
+  const auto isOther = [&](const Constraint& constraint)
+  { return !isOnLine[surface.Mesh.EdgeOf(3 * constraint.Element + constraint.Side)]; };
+  along.erase(std::remove_if(along.begin(), along.end(), isOther), along.end());
+  return along;
+}
+
+/// The edges between regions, as a flag per edge.
+std::vector<char> Borders(const TriangleMesh& mesh, const AlignmentOptions& options)
+{
+  std::vector<char> isBorder(mesh.NumberOfEdges(), 0);
+  for (int edge = 0; edge < mesh.NumberOfEdges() && !options.Regions.empty(); ++edge)
+  {
+    const int h = mesh.HalfedgeOf(edge), twin = mesh.Twin(h);
+    isBorder[edge] =
+      twin >= 0 && options.Regions[TriangleMesh::FaceOf(h)] != options.Regions[TriangleMesh::FaceOf(twin)];
+  }
+  return isBorder;
+}
+
 /// Removes the parts of lines between two corners that are short.
 void RemoveShortParts(const TriangleMesh& mesh, double shortest, std::vector<char>& isSharp)
 {
@@ -115,12 +139,14 @@ void RemoveDeviating(const TriangleMesh& mesh, const SurfaceAngles& angles, cons
 
 std::vector<Constraint> AlongSharpLines(const FramedMesh& surface, const AlignmentOptions& options, double weight)
 {
-  const std::vector<char> isSharp = SharpLines(surface, options);
-  std::vector<Constraint> along = AlongAllSharpEdges(surface, options.FeatureAngle, weight);
-  const auto isNoise = [&](const Constraint& constraint)
-  { return !isSharp[surface.Mesh.EdgeOf(3 * constraint.Element + constraint.Side)]; };
-  along.erase(std::remove_if(along.begin(), along.end(), isNoise), along.end());
-  return along;
+  return AlongLines(surface, options.FeatureAngle, SharpLines(surface, options), weight);
+}
+
+std::vector<Constraint> AlongBorders(const FramedMesh& surface, const AlignmentOptions& options, double weight)
+{
+  constexpr double AnyAngle = -1.0;
+  return options.Regions.empty() ? std::vector<Constraint>()
+                                 : AlongLines(surface, AnyAngle, Borders(surface.Mesh, options), weight);
 }
 
 std::vector<char> FindAlignedEdges(
@@ -134,27 +160,30 @@ std::vector<char> FindAlignedEdges(
     RemoveDeviating(mesh, angles, field, options.LargestDeviation * Pi / 180.0, isAligned);
     RemoveShortLines(mesh, options.ShortestFeature * SizesOf(mesh).Diagonal(), isAligned);
   }
-  if (options.AlignBoundary)
+  const std::vector<char> isBorder = Borders(mesh, options);
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-    {
-      isAligned[edge] = isAligned[edge] || mesh.Twin(mesh.HalfedgeOf(edge)) < 0;
-    }
+    isAligned[edge] =
+      isAligned[edge] || isBorder[edge] || (options.AlignBoundary && mesh.Twin(mesh.HalfedgeOf(edge)) < 0);
   }
   return isAligned;
 }
 
-std::vector<int> BoundaryAgainstField(
+std::vector<int> LinesAgainstField(
   const TriangleMesh& mesh, const SurfaceAngles& angles, const CrossField& field, const AlignmentOptions& options)
 {
+  const std::vector<char> isBorder = Borders(mesh, options);
   std::vector<int> against;
-  for (int h = 0; h < 3 * mesh.NumberOfFaces() && options.AlignBoundary; ++h)
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    if (mesh.Twin(h) < 0 && Deviation(angles, field, h) > options.LargestDeviation * Pi / 180.0)
+    const int h = mesh.HalfedgeOf(edge);
+    const bool isHeld = isBorder[edge] || (options.AlignBoundary && mesh.Twin(h) < 0);
+    if (isHeld && Deviation(angles, field, h) > options.LargestDeviation * Pi / 180.0)
     {
       against.push_back(h);
     }
   }
+  std::sort(against.begin(), against.end());
   return against;
 }
 
