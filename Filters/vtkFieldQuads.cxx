@@ -6,6 +6,7 @@
 #include "Adapters/Pipeline/FilterOutputs.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Pipeline/PropertyTable.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/View/ChosenArrays.h"
 #include "Quads/QuadMesh.h"
@@ -114,6 +115,39 @@ vtkFieldQuads::vtkFieldQuads()
 }
 
 //------------------------------------------------------------------------------
+dmg::PropertyTable vtkFieldQuads::Properties() const
+{
+  dmg::PropertyTable table;
+  table.Number("NumberOfQuads", this->NumberOfQuads, 1, 900000);
+  table.Number("EdgeLength", this->EdgeLength, 0, 1e40);
+  table.Number("Adaptivity", this->Adaptivity, 0, 1);
+  table.Switch("AlignBoundary", this->AlignBoundary);
+  table.Switch("AlignSharpEdges", this->AlignSharpEdges);
+  table.Number("FeatureAngle", this->FeatureAngle, 0, 180);
+  table.Choice("Symmetry", this->Symmetry, { "NoSymmetry", "Automatic", "Plane" });
+  table.Vector("SymmetryOrigin", this->SymmetryOrigin);
+  table.Vector("SymmetryNormal", this->SymmetryNormal);
+  table.Number("SmoothingSteps", this->SmoothingSteps, 0, 1000);
+  table.Switch("CutForTextures", this->CutForTextures);
+  table.Number("BallRadius", this->BallRadius, 0, 10);
+  return table;
+}
+
+//------------------------------------------------------------------------------
+dmg::QuadOptions vtkFieldQuads::Options() const
+{
+  dmg::QuadOptions options;
+  options.NumberOfQuads = this->NumberOfQuads;
+  options.EdgeLength = this->EdgeLength;
+  options.Adaptivity = this->Adaptivity;
+  options.AlignBoundary = this->AlignBoundary;
+  options.AlignSharpEdges = this->AlignSharpEdges;
+  options.FeatureAngle = this->FeatureAngle;
+  options.SmoothingSteps = this->SmoothingSteps;
+  return options;
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldQuads::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -121,24 +155,9 @@ int vtkFieldQuads::RequestData(
   this->Summary.clear();
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({
-      { "Number Of Quads", this->NumberOfQuads, 1, 900000 },
-      { "Edge Length", this->EdgeLength, 0, 1e40 },
-      { "Adaptivity", this->Adaptivity, 0, 1 },
-      { "Number Of Directions", this->NumberOfDirections, 0, 8 },
-      { "Feature Angle", this->FeatureAngle, 0, 180 },
-      { "Symmetry", this->Symmetry, NoSymmetry, Plane },
-      { "Smoothing Steps", this->SmoothingSteps, 0, 1000 },
-      { "Ball Radius", this->BallRadius, 0, 10 },
-    });
-    dmg::QuadOptions options;
-    options.NumberOfQuads = this->NumberOfQuads;
-    options.EdgeLength = this->EdgeLength;
-    options.Adaptivity = this->Adaptivity;
-    options.AlignBoundary = this->AlignBoundary;
-    options.AlignSharpEdges = this->AlignSharpEdges;
-    options.FeatureAngle = this->FeatureAngle;
-    options.SmoothingSteps = this->SmoothingSteps;
+    dmg::CheckRanges({ { "Number Of Directions", this->NumberOfDirections, 0, 8 } });
+    this->Properties().Check();
+    dmg::QuadOptions options = this->Options();
     dmg::SurfaceView view(dmg::SurfaceOf(whole[0]));
     const std::optional<dmg::Vector<dmg::Complex>> crosses =
       dmg::CrossesOf(this, view, this->NumberOfDirections, dmg::PartOfContext(context, 0.0, 0.1));
@@ -171,22 +190,5 @@ const char* vtkFieldQuads::GetSummary() const
 void vtkFieldQuads::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfQuads: " << this->NumberOfQuads << "\n";
-  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
-  os << indent << "Adaptivity: " << this->Adaptivity << "\n";
-  os << indent << "AlignBoundary: " << (this->AlignBoundary ? "On" : "Off") << "\n";
-  os << indent << "AlignSharpEdges: " << (this->AlignSharpEdges ? "On" : "Off") << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "Symmetry: "
-     << (this->Symmetry == Automatic  ? "Automatic"
-            : this->Symmetry == Plane ? "Plane"
-                                      : "NoSymmetry")
-     << "\n";
-  os << indent << "SymmetryOrigin: " << this->SymmetryOrigin[0] << " " << this->SymmetryOrigin[1] << " "
-     << this->SymmetryOrigin[2] << "\n";
-  os << indent << "SymmetryNormal: " << this->SymmetryNormal[0] << " " << this->SymmetryNormal[1] << " "
-     << this->SymmetryNormal[2] << "\n";
-  os << indent << "SmoothingSteps: " << this->SmoothingSteps << "\n";
-  os << indent << "CutForTextures: " << (this->CutForTextures ? "On" : "Off") << "\n";
-  os << indent << "BallRadius: " << this->BallRadius << "\n";
+  this->Properties().Print(os, indent);
 }

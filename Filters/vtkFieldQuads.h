@@ -70,6 +70,12 @@
 
 #include <string>
 
+namespace dmg
+{
+class PropertyTable;
+struct QuadOptions;
+}
+
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldQuads : public vtkFieldDrawingAlgorithm
 {
 public:
@@ -205,6 +211,9 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  dmg::PropertyTable Properties() const;
+  dmg::QuadOptions Options() const;
+
   int NumberOfQuads = 4000;
   double EdgeLength = 0.0;
   double Adaptivity = 0.0;
