@@ -41,6 +41,17 @@ bool TwoPiecesMeet(const dmg::ExecutionContext& context)
 
 }
 
+TEST(ContextFromAlgorithm, TellsProgressThatNeverGoesBack)
+{
+  vtkNew<vtkPolyDataAlgorithm> algorithm;
+  const ContextFromAlgorithm context(algorithm);
+  context.Checkpoint(0.5);
+  context.Checkpoint(0.25);
+  EXPECT_EQ(algorithm->GetProgress(), 0.5);
+  context.Checkpoint(0.75);
+  EXPECT_EQ(algorithm->GetProgress(), 0.75);
+}
+
 TEST(ContextFromAlgorithm, UsesThreadsUnlessSequentialWasAskedFor)
 {
   if (std::thread::hardware_concurrency() < 2)

@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -68,7 +69,8 @@ bool ContextFromAlgorithm::IsCancelled() const
 
 void ContextFromAlgorithm::ReportProgress(double fraction) const
 {
-  this->Algorithm->UpdateProgress(fraction);
+  this->Progress = std::max(this->Progress, fraction);
+  this->Algorithm->UpdateProgress(this->Progress);
 }
 
 void ContextFromAlgorithm::RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const

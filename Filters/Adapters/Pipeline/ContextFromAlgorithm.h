@@ -19,7 +19,8 @@ class vtkAlgorithm;
 namespace dmg
 {
 
-/// Lends a filter's progress, abort flag and VTK's threads to the core, for one execution.
+/// Lends a filter's progress, abort flag and VTK's threads to the core, for one execution. Progress never goes back: where a part of the work is done once more,
+/// it stands.
 ///
 /// Threads are those of vtkSMPTools with its backend and limit. Where the backend is Sequential and
 /// nobody asked for that (ParaView's packages default to it), they are TBB's, as many as STDThread
@@ -50,6 +51,7 @@ private:
   std::unique_ptr<tbb::task_arena> Arena; // null: vtkSMPTools
   int Threads;
   mutable std::atomic<bool> Cancelled{ false };
+  mutable double Progress = 0.0; // told so far
 };
 
 }

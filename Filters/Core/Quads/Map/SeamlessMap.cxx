@@ -35,6 +35,24 @@ SparseMatrix<double> AsMatrix(const IntegerLattice& lattice)
   return matrix;
 }
 
+/// Z^T K Z of symmetric K, a few rows at a time: with many integers it takes a while.
+Eigen::MatrixXd TripleProduct(
+  const SparseMatrix<double>& Z, const SparseMatrix<double>& K, const ExecutionContext& context)
+{
+  constexpr int Block = 32;
+  const int size = static_cast<int>(Z.cols());
+  const SparseMatrix<double> transposed = Z.transpose();
+  Eigen::MatrixXd product(size, size);
+  for (int first = 0; first < size; first += Block)
+  {
+    context.Checkpoint(static_cast<double>(first) / size);
+    const int count = std::min(Block, size - first);
+    const SparseMatrix<double> rows = transposed.middleRows(first, count);
+    product.middleRows(first, count) = Eigen::MatrixXd(SparseMatrix<double>(rows * K) * Z);
+  }
+  return product;
+}
+
 /// Adds a small part of the mean of the diagonal to it: free shifts of the map cost nothing otherwise.
 void ShiftDiagonal(SparseMatrix<double>& matrix, double part)
 {
@@ -156,7 +174,7 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
   context.Checkpoint(0.4);
   const SparseMatrix<double> Z = this->Variables.Integers * this->Lattice;
   this->RealsByIntegers = SparseMatrix<double>(KR.transpose()) * Z;
-  this->Schur = Eigen::MatrixXd(SparseMatrix<double>(Z.transpose()) * SparseMatrix<double>(K * Z));
+  this->Schur = TripleProduct(Z, K, PartOfContext(context, 0.41, 0.5));
   K = SparseMatrix<double>(); // makes room for the factor
   KR = SparseMatrix<double>();
   if (H.rows() > 0)
