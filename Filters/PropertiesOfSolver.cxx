@@ -133,6 +133,7 @@ FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintArr
     ChoicesOf(filter), filter->GetFollowDirections(), guideChoices, filter->GetSingularityIndexArray(),
     filter->GetAllDirections() };
   properties.Choices.Axis = Vector3(filter->GetAxis());
+  properties.Problem.Features.WarnsOfMissing = filter->GetWarnsOfMissingFeatures();
   properties.Choices.WeighsTensors = filter->GetTensorWeights();
   return properties;
 }

@@ -49,6 +49,13 @@ void MakeSolverOutputs(vtkInformationVector* asked, vtkInformationVector* output
 }
 
 //------------------------------------------------------------------------------
+vtkDirectionalField::vtkDirectionalField()
+{
+  this->SetBoundaryWeight(1.0);
+  this->SetSharpEdgesWeight(1.0);
+}
+
+//------------------------------------------------------------------------------
 int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* information)
 {
   information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPolyData");

@@ -4,7 +4,8 @@
  *
  * vtkDirectionalField is vtkHarmonicFieldSolver, vtkFieldLines and vtkFieldSingularities in one: what a person looks at
  * first. It takes the inputs, arrays and properties of vtkHarmonicFieldSolver, of which it is a kind, and shows every field
- * that this one computes: crosses and lines, vectors and flows with arrow heads, and gradients of functions.
+ * that this one computes: crosses and lines, vectors and flows with arrow heads, and gradients of functions. It follows the boundary and
+ * sharp edges where there are any: BoundaryWeight and SharpEdgesWeight are 1 by default, and missing features are no warning.
  *
  * @section vtkDirectionalField-Inputs Inputs
  *
@@ -65,11 +66,13 @@ public:
   vtkGetMacro(SphereRadius, double);
   ///@}
 
+  bool GetWarnsOfMissingFeatures() const override { return false; }
+
   vtkDirectionalField(const vtkDirectionalField&) = delete;
   void operator=(const vtkDirectionalField&) = delete;
 
 protected:
-  vtkDirectionalField() = default;
+  vtkDirectionalField();
   ~vtkDirectionalField() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* information) override;

@@ -266,7 +266,7 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::Field& field =
       kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), view.Relation().Names());
     dmg::Warn(this, field.Warnings);
-    this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
+    this->Internals->Followed = dmg::WhatIsFollowed(inputs, field.Features);
     dmg::WriteField(view, field, kept.SetupSeconds(field), inputs, properties, this->Internals->Followed, outputVector,
       dmg::PartOfContext(context, 0.95, 1.0));
   };

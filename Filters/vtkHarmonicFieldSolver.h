@@ -518,6 +518,12 @@ public:
   vtkGetMacro(Rotation, double);
   ///@}
 
+  /**
+   * Whether features that have a weight are a warning where the surface does not have them, or the field cannot follow them. They are;
+   * vtkDirectionalField follows those that there are.
+   */
+  virtual bool GetWarnsOfMissingFeatures() const { return true; }
+
   ///@{
   /**
    * The number of times that this object has completed each stage, by which one sees what an update reused.

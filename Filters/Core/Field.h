@@ -2,6 +2,7 @@
 #define dmgField_h
 
 #include "Constraints/Guides.h"
+#include "Constraints/SurfaceFeatures.h"
 #include "Discretisations/Discretisation.h"
 #include "Mesh/FramedMesh.h"
 #include "Setup/FieldSolution.h"
@@ -33,6 +34,7 @@ struct Field
 
   SolveReport Report;
   GuidesReport Guides;
+  std::vector<SurfaceFeature> Features; ///< of the surface that the field follows
   /// Sentences for the user. Constraints that could not be followed are named each time, warnings of the solver come once.
   std::vector<std::string> Warnings;
 

@@ -317,6 +317,7 @@ void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution>
   }
   this->Last.HasUnitLength = problem.UnitLength;
   this->Last.Guides = followed.Guides;
+  this->Last.Features = std::move(followed.Features);
   this->Last.Warnings = std::move(followed.Warnings);
 }
 

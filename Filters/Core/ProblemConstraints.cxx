@@ -130,6 +130,7 @@ void ProblemConstraints::AddFeatures(
   }
   const FollowedFeatures features = this->DirectionsOfFeatures(problem.Features, N, context);
   Append(followed.Constraints.OnFaces, features.Directions);
+  followed.Features = features.Features;
   Append(followed.Warnings, features.Warnings);
 }
 

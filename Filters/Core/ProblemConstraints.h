@@ -22,6 +22,7 @@ struct FollowedConstraints
 {
   dmg::Constraints Constraints;
   GuidesReport Guides;
+  std::vector<SurfaceFeature> Features; ///< that are followed
   std::vector<std::string> Warnings;
 };
 

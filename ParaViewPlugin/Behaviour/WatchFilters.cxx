@@ -19,10 +19,10 @@ namespace
 {
 void Watch(vtkSMProxy* filter, const std::string& what)
 {
-  static const std::map<std::string, void (*)(vtkSMProxy*)> watches{ { "CenteredColors", WatchCenteredColors },
-    { "ChosenPoint", WatchChosenPoint }, { "CyclicColors", WatchCyclicColors }, { "DeletedInputs", WatchDeletedInputs },
-    { "Followed", WatchFollowed }, { "GuidesFirst", WatchGuidesFirst }, { "GuidesOnce", WatchGuidesOnce },
-    { "Summary", WatchSummary } };
+  static const std::map<std::string, void (*)(vtkSMProxy*)> watches{ { "Boxes", WatchBoxes },
+    { "CenteredColors", WatchCenteredColors }, { "ChosenPoint", WatchChosenPoint },
+    { "CyclicColors", WatchCyclicColors }, { "DeletedInputs", WatchDeletedInputs }, { "Followed", WatchFollowed },
+    { "GuidesFirst", WatchGuidesFirst }, { "GuidesOnce", WatchGuidesOnce }, { "Summary", WatchSummary } };
   const auto watch = watches.find(what);
   if (watch != watches.end())
   {

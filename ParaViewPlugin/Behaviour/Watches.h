@@ -29,6 +29,11 @@ void WatchGuidesFirst(vtkSMProxy* filter);
 /// keeps its arrow in the pipeline. Lists are the inputs whose hints have the element ChosenOnce.
 void WatchGuidesOnce(vtkSMProxy* filter);
 
+/// "Boxes". A check box is on as long as a weight is not 0, and switches it on and off, in the panel as well as for scripts: a box on sets
+/// the last weight there was, or 1. States and scripts that know weights alone set the box by these. A box is a property of one number
+/// without a command, whose hints name the weight, as <Switches property="Boundary Weight" />.
+void WatchBoxes(vtkSMProxy* filter);
+
 /// "DeletedInputs". ParaView keeps a source alive that is deleted while a filter has it as an input: the panel no longer shows it, and the
 /// filter goes on to use it. Scripts allow this, and windows with a state file of theirs. So sources that are deleted are taken out of the
 /// inputs of the filter's further ports.

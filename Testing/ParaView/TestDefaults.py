@@ -74,6 +74,17 @@ class Defaults(unittest.TestCase):
                     value = proxy.SMProxy.GetProperty(propertyName).GetElement(0)
                     self.assertEqual(kind(value), kind(expected))
 
+    def test_boxes_name_their_weights(self):
+        """A property without a command is a box, whose default is that of its weight."""
+        boxes = 0
+        for name, element, proxy, algorithm in proxies():
+            for child in element:
+                if child.tag.endswith("Property") and not child.get("command"):
+                    weight = element.find(f"*[@name='{child.find('Hints/Switches').get('property')}']")
+                    self.assertEqual(int(child.get("default_values")), float(weight.get("default_values")) > 0)
+                    boxes += 1
+        self.assertEqual(boxes, 3)
+
     def test_ranges_agree(self):
         """C++ takes the values at the ends of a range, and refuses those beyond by one error that says which.
 

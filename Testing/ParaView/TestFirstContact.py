@@ -55,6 +55,37 @@ class FirstContact(unittest.TestCase):
         for word in words:
             self.assertTrue(any(all(part in label for part in word.split()) for label in labels), word)
 
+    def test_boxes_switch_weights(self):
+        """Boundary and sharp edges are followed where there are any, without a warning where there are none."""
+        field = simple.DirectionalField(Input=simple.Cylinder(Capping=0, Resolution=30))
+        self.assertEqual((field.FollowBoundary, field.FollowSharpEdges, field.FollowCurvature), (1, 1, 0))
+        field.BoundaryWeight = 5
+        field.FollowBoundary = 0
+        self.assertEqual(field.BoundaryWeight, 0)
+        field.FollowBoundary = 1
+        self.assertEqual(field.BoundaryWeight, 5)  # the last one
+        field.FollowCurvature = 1
+        self.assertEqual(field.CurvatureWeight, 1)
+        field.CurvatureWeight = 0
+        self.assertEqual(field.FollowCurvature, 0)
+        for surface, follows in ((sphere(), "nothing"), (simple.Box(), "sharp edges"), (simple.Disk(), "boundary"),
+                                 (simple.Cylinder(Resolution=30), "sharp edges")):
+            field = simple.DirectionalField(Input=surface)
+            field.UpdatePipeline()
+            field.UpdatePropertyInformation()
+            self.assertEqual(field.GetProperty("Followed").GetData(), follows)
+        # A script says box or weight, and one panel's values agree before they are applied.
+        self.assertEqual(simple.DirectionalField(Input=sphere(), FollowCurvature=1).CurvatureWeight, 1)
+        self.assertEqual(simple.DirectionalField(Input=sphere(), FollowBoundary=0).BoundaryWeight, 0)
+        self.assertEqual(simple.DirectionalField(Input=sphere(), CurvatureWeight=2).FollowCurvature, 1)
+        field.SMProxy.GetProperty("Follow Boundary").SetUncheckedElement(0, 0)
+        self.assertEqual(field.SMProxy.GetProperty("Boundary Weight").GetUncheckedElement(0), 0)
+        self.assertEqual(field.BoundaryWeight, 1)
+        # What was measured or chosen is followed alone.
+        for kind in (simple.FibreOrientation, simple.FiberOrientation, simple.TensorAndStressDirections, simple.VectorField):
+            measured = kind(Input=simple.Disk())
+            self.assertEqual((measured.BoundaryWeight, measured.SharpEdgesWeight, measured.FollowBoundary, measured.FollowSharpEdges), (0, 0, 0, 0))
+
     def test_flows_have_heads(self):
         surface = sphere()
         ends = [simple.Line(Point1=[0, -0.1, z], Point2=[0, 0.1, z]) for z in (0.5, -0.5)]
@@ -134,20 +165,21 @@ class FirstContact(unittest.TestCase):
         window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)
         try:
+            dome = simple.Sphere(EndPhi=90, ThetaResolution=40, PhiResolution=20)
             field = simple.HarmonicFieldSolver(Input=simple.Calculator(
-                Input=sphere(), AttributeType="Cell Data", ResultArrayName="Wind", Function="jHat"))
+                Input=dome, AttributeType="Cell Data", ResultArrayName="Wind", Function="jHat"))
             field.UpdatePipeline()
             field.NumberOfDirections = 2  # follows no more than before
             field.UpdatePipeline()
             field.Directions = ["CELLS", "Wind"]
-            field.CurvatureWeight = 1
+            field.BoundaryWeight, field.SharpEdgesWeight = 1, 1  # of which there are none
             field.UpdatePipeline()
             said = [line.split("follows ")[1] for line in window.GetOutput().splitlines() if "the field follows" in line]
         finally:
             vtkOutputWindow.SetInstance(former)
-        self.assertEqual(said, ["nothing", "array 'Wind', curvature"])
+        self.assertEqual(said, ["nothing", "array 'Wind', boundary"])
         field.UpdatePropertyInformation()
-        self.assertEqual(field.GetProperty("Followed").GetData(), "array 'Wind', curvature")
+        self.assertEqual(field.GetProperty("Followed").GetData(), "array 'Wind', boundary")
 
     def test_angles_have_cyclic_colours(self):
         field = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=2)

@@ -189,6 +189,25 @@ class Sessions(unittest.TestCase):
         lines = simple.FieldLines(Input=solver, SeparatingDistance=0.05)
         self.assert_same(simple.servermanager.Fetch(field, idx=1), fetch(lines))
 
+    def test_a_state_that_knows_weights_alone_gives_the_same_field(self):
+        """Boxes are on as weights are not 0, whatever their defaults are."""
+        weights = "".join(f'<Property name="{name}" id="399.{name[0]}X" number_of_elements="1"><Element index="0" value="{value}"/></Property>'
+                          for name, value in (("Sharp Edges Weight", 0), ("Curvature Weight", 0.3)))
+        path = FOLDER / "weights.pvsm"
+        path.write_text(FORMER_STATE.replace('number_of_elements="1"><Element index="0" value="3"/></Property>',
+                                             'number_of_elements="1"><Element index="0" value="0"/></Property>' + weights))
+        simple.LoadState(str(path))
+        field = simple.FindSource("Field")
+        self.assertEqual((field.BoundaryWeight, field.SharpEdgesWeight, field.CurvatureWeight), (0, 0, 0.3))
+        self.assertEqual((field.FollowBoundary, field.FollowSharpEdges, field.FollowCurvature), (0, 0, 1))
+        solver = simple.HarmonicFieldSolver(
+            Input=simple.Sphere(EndPhi=90, PhiResolution=40, ThetaResolution=40), NumberOfDirections=2, CurvatureWeight=0.3)
+        self.assert_same(fetch(field), fetch(solver))
+        simple.SaveState(str(path))  # today's
+        simple.ResetSession()
+        simple.LoadState(str(path))
+        self.assertEqual(simple.FindSource("Field").FollowCurvature, 1)
+
     def test_a_python_state_gives_the_same_bits(self):
         before = self.a_pipeline()
         script = smstate.get_state()

@@ -92,7 +92,7 @@ FieldOfPieces SolveInPieces(vtkAlgorithm* filter, const FieldProperties& propert
   {
     Warn(filter, ranks, InPanelWords(text));
   }
-  result.Followed = ranks.FirstText(kept.Own() ? WhatIsFollowed(result.Inputs, problem.Features) : "");
+  result.Followed = ranks.FirstText(kept.Own() ? WhatIsFollowed(result.Inputs, result.Solution->Features) : "");
   return result;
 }
 

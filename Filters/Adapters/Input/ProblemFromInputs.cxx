@@ -10,6 +10,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkInformationVector.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dmg
@@ -119,7 +120,7 @@ void CheckPrescribes(const FieldInputs& inputs)
   }
 }
 
-std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& features)
+std::string WhatIsFollowed(const FieldInputs& inputs, const std::vector<SurfaceFeature>& features)
 {
   std::string text;
   const auto say = [&text](bool isFollowed, const std::string& what)
@@ -135,9 +136,11 @@ std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& feat
   say(has(choices.Values), nameOf(choices.Values));
   say(has(choices.Source), "source " + nameOf(choices.Source));
   say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
-  say(features.BoundaryWeight > 0.0, "boundary");
-  say(features.SharpEdgesWeight > 0.0, "sharp edges");
-  say(features.CurvatureWeight > 0.0, "curvature");
+  const auto follows = [&features](SurfaceFeature feature)
+  { return std::find(features.begin(), features.end(), feature) != features.end(); };
+  say(follows(SurfaceFeature::Boundary), "boundary");
+  say(follows(SurfaceFeature::SharpEdges), "sharp edges");
+  say(follows(SurfaceFeature::PrincipalDirections), "curvature");
   return text.empty() ? "nothing" : text;
 }
 

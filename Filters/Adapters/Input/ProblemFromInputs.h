@@ -8,6 +8,7 @@
 #include "FieldSolver.h"
 
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataSet;
@@ -58,7 +59,8 @@ FieldProblem ProblemOf(vtkAlgorithm* filter, const FieldProperties& properties, 
 void CheckPrescribes(const FieldInputs& inputs);
 
 /// The things that the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
-std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& features);
+/// \param features Field::Features.
+std::string WhatIsFollowed(const FieldInputs& inputs, const std::vector<SurfaceFeature>& features);
 
 }
 

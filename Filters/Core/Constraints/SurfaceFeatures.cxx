@@ -141,7 +141,11 @@ FollowedFeatures FollowFeatures(int N, const FeatureOptions& options,
   FollowedFeatures followed;
   const auto follow = [&](SurfaceFeature feature, const std::string& ifNone)
   {
-    if (!find(feature, followed.Directions))
+    if (find(feature, followed.Directions))
+    {
+      followed.Features.push_back(feature);
+    }
+    else if (options.WarnsOfMissing)
     {
       followed.Warnings.push_back(ifNone);
     }
@@ -154,7 +158,7 @@ FollowedFeatures FollowFeatures(int N, const FeatureOptions& options,
   if (N % 2 != 0)
   {
     const bool hasEdges = options.SharpEdgesWeight > 0.0, hasCurvature = options.CurvatureWeight > 0.0;
-    if (hasEdges || hasCurvature)
+    if (options.WarnsOfMissing && (hasEdges || hasCurvature))
     {
       followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
         std::to_string(N) + (N == 1 ? " direction" : " directions") + " cannot follow, so " +

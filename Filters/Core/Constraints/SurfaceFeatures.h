@@ -34,6 +34,7 @@ struct FeatureOptions
   double CurvatureRotation = 0.0;
   double CurvatureScale = 3.0; ///< of principal directions, in mean edges; see FindPrincipalDirections
   bool FollowsMinimum = false; ///< the direction of the minimum curvature in place of the maximum
+  bool WarnsOfMissing = true;  ///< a warning where the surface has no such feature, or the field cannot follow it
 };
 
 /// Weights that are not 0 are in this range, so that they stay in that of weights of faces.
@@ -60,18 +61,19 @@ std::vector<Constraint> AlongCurvature(const FramedMesh& surface, const WeightsO
 /// rounding of coordinates makes them do.
 bool AreClear(const PrincipalCurvatures& curvatures);
 
-/// The features that are followed, and those that the surface does not have.
-struct FollowedFeatures
-{
-  std::vector<Constraint> Directions;
-  std::vector<std::string> Warnings; ///< a sentence each
-};
-
 enum class SurfaceFeature
 {
   Boundary,
   SharpEdges,
   PrincipalDirections,
+};
+
+/// The features that are followed, and those that the surface does not have.
+struct FollowedFeatures
+{
+  std::vector<Constraint> Directions;
+  std::vector<SurfaceFeature> Features; ///< that are followed, on any piece of the surface
+  std::vector<std::string> Warnings;    ///< a sentence each; none without FeatureOptions::WarnsOfMissing
 };
 
 /// The directions along one feature of a surface, turned as the options say.

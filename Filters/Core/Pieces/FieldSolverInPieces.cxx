@@ -162,6 +162,7 @@ void FieldSolverInPieces::Internals::FindDirections(
   }
   this->Last.HasUnitLength = problem.UnitLength;
   this->Last.Guides = followed.Guides;
+  this->Last.Features = std::move(followed.Features);
   if (isNew)
   {
     const std::vector<std::string>& more = this->Last.Report.Warnings;

@@ -138,6 +138,15 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
   ASSERT_EQ(ofPlane.Warnings.size(), 2u);
   EXPECT_NE(ofPlane.Warnings[0].find("sharper than FeatureOptions::FeatureAngle"), std::string::npos);
   EXPECT_NE(ofPlane.Warnings[1].find("bends alike"), std::string::npos);
+  EXPECT_EQ(ofPlane.Features, std::vector{ SurfaceFeature::Boundary });
+  FeatureOptions silent = all;
+  silent.WarnsOfMissing = false;
+  for (const int N : { 1, 4 })
+  {
+    const FollowedFeatures same = FollowFeatures(plane, N, silent, &flat);
+    EXPECT_EQ(same.Directions.size(), 20u);
+    EXPECT_TRUE(same.Warnings.empty());
+  }
 
   for (const int N : { 1, 3, 5, 7 })
   {
