@@ -2,8 +2,7 @@
  * @class   vtkHarmonicFieldSolver
  * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
- * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4),
- * hexagonal fields (6). This filter represents it by unknowns X, one of Discretisations, and minimises
+ * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4). This filter represents it by unknowns X, one of Discretisations, and minimises
  *
  *   smoothness energy(X) + Alignment * sum over prescribed elements b of w_b m_b |X_b - Y_b|^2.
  *
@@ -20,7 +19,7 @@
  * use the operators that vtkDirectionalProlongation has stored with it. Those of other points and triangles are an error.
  *
  * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite
- * datasets of these. Each goes to the nearest place of the surface. Chosen vectors prescribe the
+ * datasets of these. Each goes to the nearest place. Chosen vectors prescribe the
  * nearest face. Without a choice, lines prescribe their tangents on all faces that they pass; without lines, the active
  * vectors count. A guide with neither is an error. A warning counts what is left out: what lies farther than MaximumDistance, on
  * the far side of a thin wall, or within 5 degrees of the normal.
@@ -65,6 +64,7 @@
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
  * | Prescribed                | cells, points | 1          | weight, else 0, where unknowns are (1-forms: port 1)      |
+ * | PrincipalValues           | cells, points | 2          | of tensors: along the direction (the larger), across     |
  * | SingularityIndex          | cells, points | 1          | multiple of 1 / N (cells: PointPowerField, not prescribed) |
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
@@ -73,7 +73,7 @@
  * 1-forms add the cell arrays OneForm, integrals along edges, and HarmonicBasis 1, 2, ... k.
  *
  * Port 2, the convergence: vtkTable, a row per iteration, the first for the start. The page has its columns, and the report that
- * ports 0 and 2 carry as field data, hidden from menus of arrays.
+ * ports 0 and 2 carry as field data.
  *
  * Port 3, the paths of guides: vtkPolyData, lines on the surface where guides were taken.
  *

@@ -56,6 +56,20 @@ class Nematics(unittest.TestCase):
         lines.SetInputArrayToProcess(0, 0, 0, 0, "Q")
         self.assertGreater(update(lines).GetNumberOfLines(), 5)
 
+    def test_principal_values_have_signs(self):
+        """Tension along x of a strength that grows, and pressure across it; the larger one belongs to the direction."""
+        mesh = plane()
+        for data, count in ((mesh.GetPointData(), mesh.GetNumberOfPoints()), (mesh.GetCellData(), mesh.GetNumberOfCells())):
+            strength = 1 + np.arange(count) / count
+            stress = np.zeros((count, 6))
+            stress[:, 0], stress[:, 1], stress[:, 2] = strength, -0.25, 99  # what stands across the plane does not count
+            add(data, "Stress of " + data.GetClassName(), stress)
+            field = smooth_field(mesh, n=4, Directions="Stress of " + data.GetClassName())
+            result = field.GetPointData() if data is mesh.GetPointData() else field.GetCellData()
+            np.testing.assert_allclose(values(result, "PrincipalValues"), np.stack([strength, 0 * strength - 0.25], 1), atol=1e-12)
+        add(mesh.GetPointData(), "Vectors", np.ones((mesh.GetNumberOfPoints(), 3)))
+        self.assertFalse(smooth_field(mesh, Directions="Vectors").GetPointData().HasArray("PrincipalValues"))
+
     def test_tensors_of_two_by_two_need_a_plane(self):
         mesh = plane(bent=True)
         add(mesh.GetPointData(), "Q", directors(mesh, 0.4 + 0 * polar_angle(mesh)))

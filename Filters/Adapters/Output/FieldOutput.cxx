@@ -25,6 +25,7 @@ void WriteField(SurfaceView& view, const Field& field, double setupSeconds, cons
   view.StartOutput(output, "vtkHarmonicFieldSolver");
   AddField(view, field, properties.AllDirections, edges, PartOfContext(context, 0.0, most));
   AddPrescribed(view, field.Solution->Constraints, field.Solution->Discretisation->Elements(), edges);
+  AddPrincipalValues(view, inputs.Choices);
   AddBasis(view, field, edges, PartOfContext(context, most, 1.0));
   PathsToPolyData(field.Guides.Paths, vtkPolyData::GetData(outputs, 3));
   MakeConvergenceTable(field.Report, convergence);

@@ -128,4 +128,35 @@ void AddPrescribed(
   attributes->AddArray(weights);
 }
 
+void AddPrincipalValues(const SurfaceView& view, const ConstraintArrays& choices)
+{
+  vtkDataSet* const given = view.Given();
+  const ConstraintArrays arrays =
+    given->GetNumberOfCells() > 0 ? FindArrays(choices, given, "the surface", true) : ConstraintArrays();
+  vtkDataArray* const tensors = arrays.Vectors.Array;
+  if (!HoldsTensors(tensors))
+  {
+    return;
+  }
+  const bool onPoints = arrays.Vectors.OnPoints();
+  const FramedSurface& surface = view.Surface();
+  const TangentFrames& frames = onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces;
+  const auto values = NewArray(ArrayNames::PrincipalValues, 2, tensors->GetNumberOfTuples());
+  values->Fill(0.0);
+  for (vtkIdType element = 0; element < tensors->GetNumberOfTuples(); ++element)
+  {
+    const ElementRow row = onPoints ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
+    double numbers[9];
+    tensors->GetTuple(element, numbers);
+    const Eigen::Matrix3d tensor = TensorOf(numbers, tensors->GetNumberOfComponents());
+    if (!row.empty() && tensor.allFinite())
+    {
+      values->SetTypedTuple(element, PrincipalValues(tensor, frames, row.front()).data());
+    }
+  }
+  vtkDataSetAttributes* const attributes =
+    onPoints ? static_cast<vtkDataSetAttributes*>(view.Output()->GetPointData()) : view.Output()->GetCellData();
+  attributes->AddArray(values);
+}
+
 }

@@ -21,6 +21,10 @@ void AddField(
 void AddPrescribed(
   const SurfaceView& view, const FieldConstraints& constraints, ElementKind elements, vtkPolyData* edges);
 
+/// Adds both principal values of the tensors that directions of the surface are taken from, if they are tensors.
+/// \param choices of arrays of the surface.
+void AddPrincipalValues(const SurfaceView& view, const ConstraintArrays& choices);
+
 }
 
 #endif

@@ -14,6 +14,7 @@ namespace ArrayNames
 // cells and points
 std::string Direction(int k);
 inline constexpr const char* Prescribed = "Prescribed";
+inline constexpr const char* PrincipalValues = "PrincipalValues";
 inline constexpr const char* SingularityIndex = "SingularityIndex";
 
 inline constexpr const char* MaximumDirection = "MaximumDirection";

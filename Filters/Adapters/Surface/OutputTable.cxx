@@ -45,6 +45,7 @@ const std::vector<OutputArray>& OutputTable()
     { "vtkHarmonicFieldSolver", 0, "FaceField", Cells, 3 },
     { "vtkHarmonicFieldSolver", 0, "ScalarFunction", Points, 1 },
     { "vtkHarmonicFieldSolver", 0, Prescribed, Both, 1 },
+    { "vtkHarmonicFieldSolver", 0, ArrayNames::PrincipalValues, Both, 2 },
     { "vtkHarmonicFieldSolver", 0, SingularityIndex, Both, 1 },
     { "vtkHarmonicFieldSolver", 0, HarmonicBasisPrefix, Cells, 3, 1, AnyNumber },
     { "vtkHarmonicFieldSolver", 0, PositiveSide, Field, 1 },

@@ -189,6 +189,14 @@ double DifferenceOfPrincipalValues(const Eigen::Matrix3d& tensor, const TangentF
   return std::hypot(x.dot(tensor * x) - y.dot(tensor * y), x.dot(tensor * y) + y.dot(tensor * x));
 }
 
+std::array<double, 2> PrincipalValues(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element)
+{
+  const Vector3 x = frames.X.row(element), y = frames.Y.row(element);
+  const double mean = 0.5 * x.dot(tensor * x) + 0.5 * y.dot(tensor * y);
+  const double half = 0.5 * DifferenceOfPrincipalValues(tensor, frames, element);
+  return { mean + half, mean - half };
+}
+
 Complex PowerOfDirection(const Complex& direction, int N)
 {
   return std::polar(std::abs(direction), N * std::arg(direction));

@@ -7,6 +7,7 @@
 #include "Operators/FunctionSource.h"
 #include "Support/Types.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,10 @@ bool IsSymmetric(const Eigen::Matrix3d& tensor);
 /// \param tensor in space; its part in the plane counts.
 /// \return zero where both eigenvalues in the plane are equal up to 1e-9 of the tensor, or where it is not finite.
 Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
+
+/// Both eigenvalues of a tensor's symmetric part in the tangent plane of an element, with their signs: that of PrincipalDirection, the larger one,
+/// and that across.
+std::array<double, 2> PrincipalValues(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
 
 /// The difference of both eigenvalues of a tensor in the tangent plane of an element: how clear its principal direction is.
 double DifferenceOfPrincipalValues(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);

@@ -53,6 +53,10 @@ TEST(PrincipalDirection, IsTheEigenvectorInThePlane)
     const Vector3 expected = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inPlane).eigenvectors().col(2);
     const Vector3 direction = PrincipalDirection(tensor, surface.Faces, face);
     EXPECT_NEAR(std::abs(direction.dot(expected)), 1.0, 1e-9);
+    const Vector3 values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inPlane).eigenvalues();
+    const auto [along, across] = PrincipalValues(tensor, surface.Faces, face);
+    EXPECT_NEAR(along / 1e200, values[2], 1e-12);
+    EXPECT_NEAR(across / 1e200, values[1], 1e-12);
     EXPECT_TRUE(PrincipalDirection(Eigen::Matrix3d::Identity(), surface.Faces, face).isZero());
     EXPECT_TRUE(PrincipalDirection(Eigen::Matrix3d::Zero(), surface.Faces, face).isZero());
   }
