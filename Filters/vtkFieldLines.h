@@ -30,8 +30,8 @@
  * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
  * | Normals   | points | 3          | double | of the surface; the active normals, for ribbons            |
  *
- * Normals are unit vectors, and half as long at thin walls, of which lines show from their own side alone: where another sheet, which faces
- * the other way, lies behind within a hundredth of the surface's size (GetInkShader).
+ * Normals are unit vectors, and half as long at thin walls, of which lines show from their own side alone: where another sheet lies behind
+ * within a hundredth of the surface's size (GetInkShader). Of two open sheets, normals point away from each other.
  *
  * @section vtkFieldLines-Execution Execution
  *

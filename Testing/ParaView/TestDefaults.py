@@ -74,6 +74,18 @@ class Defaults(unittest.TestCase):
                     value = proxy.SMProxy.GetProperty(propertyName).GetElement(0)
                     self.assertEqual(kind(value), kind(expected))
 
+    def test_buttons_have_icons(self):
+        """The toolbar shows a text for a filter without one."""
+        resources = ElementTree.parse(XML_FOLDER / "Resources/Resources.qrc").getroot()
+        ours = {f":{group.get('prefix')}/{file.text}" for group in resources for file in group}
+        files = [*sorted(XML_FOLDER.glob("*.xml")), XML_FOLDER / "Resources/Menu.xml"]
+        elements = [element for path in files for element in ElementTree.parse(path).getroot().iter()]
+        buttons = [element.get("icon", "") for element in elements if element.tag == "ShowInMenu" and element.get("category") or
+                   element.tag == "Proxy" and element.get("group") == "filters" and not len(element)]
+        self.assertGreater(len(buttons), 12)
+        for icon in buttons:
+            self.assertTrue(icon in ours or icon.startswith(":/pqWidgets/"), icon)
+
     def test_boxes_name_their_weights(self):
         """A property without a command is a box, whose default is that of its weight."""
         boxes = 0

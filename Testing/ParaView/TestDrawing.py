@@ -239,6 +239,19 @@ class Drawing(unittest.TestCase):
             simple.Hide(ink, view)
         simple.Delete(view)
 
+    def test_ink_of_two_open_sheets_shows_from_its_own_side_alone(self):
+        """However both are oriented, the upper one's from above and the lower one's from below."""
+        for up in ((0, 0), (0, 1), (1, 0), (1, 1)):
+            ends = (([-0.5, 0.5], [0.5, -0.5]), ([0.5, -0.5], [-0.5, 0.5]))
+            sheets = [simple.Plane(Origin=[-0.5, -0.5, z], Point1=[*ends[k][0], z], Point2=[*ends[k][1], z], XResolution=12, YResolution=12)
+                      for z, k in zip((0, -1e-4), up)]
+            field = simple.HarmonicFieldSolver(Input=simple.AppendDatasets(Input=sheets))
+            lines = fetch(simple.FieldLines(Input=field, SeparatingDistance=0.05))
+            heights = vtk_to_numpy(lines.GetPoints().GetData())[:, 2]
+            normals = vtk_to_numpy(lines.GetPointData().GetArray("Normals"))[:, 2]
+            self.assertEqual(set(np.round(normals[heights > -5e-5], 6)), {0.5})
+            self.assertEqual(set(np.round(normals[heights < -5e-5], 6)), {-0.5})
+
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_the_mouse_reaches_the_surface_below_lines(self):
         """As where points of a stroke are placed by keys. ParaView puts those on lines up to 0.1 off."""

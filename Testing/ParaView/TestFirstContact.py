@@ -48,10 +48,10 @@ class FirstContact(unittest.TestCase):
             "CrossField", "LineField", "VectorField", "FibreOrientation", "FiberOrientation", "DirectionalField", "FieldLines", "QuadRemeshing",
             "SurfaceStreamlines", "GeodesicDistance", "SurfaceDistance", "ShortestPathOnSurface", "OffsetLines", "TextureAroundPoint",
             "HelmholtzDecomposition", "DivergenceAndVorticity", "TensorAndStressDirections", "FrameOrRosyFieldOfCrosses", "SmoothHatchingLines",
-            "NematicFieldAndDefects", "OceanCurrentsAndWind", "CurvatureDirections"))}
+            "NematicFieldAndDefects", "OceanCurrentsAndWind", "CurvatureDirections", "ScaleFilter"))}
         words = ("cross field", "line field", "fibre", "fiber", "vector field", "orientation", "quad", "remesh", "stream", "geodesic", "distance",
                  "surface distance", "shortest path", "offset", "texture", "helmholtz", "divergence", "vorticity", "tensor", "stress", "frame",
-                 "hatch", "crosses", "ocean", "wind", "rosy", "curvature", "smooth", "nematic", "defect")
+                 "hatch", "crosses", "ocean", "wind", "rosy", "curvature", "smooth", "nematic", "defect", "scale")
         for word in words:
             self.assertTrue(any(all(part in label for part in word.split()) for label in labels), word)
 

@@ -11,22 +11,39 @@ namespace
 {
 
 constexpr double Thickness = 0.01;    // of thin walls, over the diagonal
-constexpr double Opposite = -0.5;     // cosine between the normals of both sheets
-constexpr double Behind = -0.5;       // cosine between the normal and the way to the other sheet
+constexpr double Parallel = 0.5;      // cosine between the normals of both sheets, or of one and the other's opposite
+constexpr double Across = 0.5;        // cosine between the normal, or its opposite, and the way to the other sheet
 constexpr double SameDistance = 1e-9; // over the diagonal
 
-/// Whether a face is the other side of a thin wall at a position.
-bool IsOtherSide(const FramedMesh& surface, int face, const Vector3& position, const Vector3& normal, double diagonal)
+/// The other sheets of a thin wall at a position.
+struct SheetsNearby
 {
-  if (surface.Faces.Normal(face).dot(normal) > Opposite)
+  bool HasOneBehind = false;
+  bool HasOneInFront = false; ///< that faces the same way: the viewer sees its other side
+
+  void Visit(const FramedMesh& surface, int face, const Vector3& position, const Vector3& normal, double diagonal)
   {
-    return false;
+    const double cosine = surface.Faces.Normal(face).dot(normal);
+    const bool isOpposite = cosine <= -Parallel, isAlike = cosine >= Parallel;
+    if (!isOpposite && !isAlike)
+    {
+      return;
+    }
+    const Vector3 way = ClosestOnFace(surface.Mesh, face, position).Position - position;
+    const double distance = way.norm();
+    if (distance <= SameDistance * diagonal)
+    {
+      this->HasOneBehind = this->HasOneBehind || isOpposite; // alike it is the sheet itself
+    }
+    else if (distance <= Thickness * diagonal)
+    {
+      this->HasOneBehind = this->HasOneBehind || way.dot(normal) <= -Across * distance;
+      this->HasOneInFront = this->HasOneInFront || (isAlike && way.dot(normal) >= Across * distance);
+    }
   }
-  const Vector3 way = ClosestOnFace(surface.Mesh, face, position).Position - position;
-  const double distance = way.norm();
-  return distance <= SameDistance * diagonal ||
-    (distance <= Thickness * diagonal && way.dot(normal) <= Behind * distance);
-}
+
+  double Factor() const { return this->HasOneBehind ? 0.5 : this->HasOneInFront ? -0.5 : 1.0; }
+};
 
 }
 
@@ -39,7 +56,7 @@ void HalveNormalsAtThinWalls(const FramedMesh& surface, const std::vector<Vector
   }
   const NearestPlaces places(surface);
   const double diagonal = places.Sizes.Diagonal();
-  // The ball behind that touches the surface here has few faces of this sheet in it.
+  // The balls on both sides that touch the surface here have few faces of this sheet in them.
   const double reach = 0.5 * Thickness * diagonal;
   constexpr double Slack = 1e-3;
   constexpr int Grain = 256, Interval = 8192;
@@ -52,11 +69,13 @@ void HalveNormalsAtThinWalls(const FramedMesh& surface, const std::vector<Vector
       {
         for (int point = first; point < last; ++point)
         {
-          bool isThin = false;
-          places.VisitNear(positions[point] - reach * normals[point], (1.0 + Slack) * reach,
-            [&](int face)
-            { isThin = isThin || IsOtherSide(surface, face, positions[point], normals[point], diagonal); });
-          normals[point] *= isThin ? 0.5 : 1.0;
+          SheetsNearby sheets;
+          for (const double side : { -reach, reach })
+          {
+            places.VisitNear(positions[point] + side * normals[point], (1.0 + Slack) * reach,
+              [&](int face) { sheets.Visit(surface, face, positions[point], normals[point], diagonal); });
+          }
+          normals[point] *= sheets.Factor();
         }
       });
   }

@@ -34,8 +34,8 @@ FramedMesh Sheets(double distance, bool lowerFacesDown, bool upperFacesUp)
   return FramedMesh(both.Mesh());
 }
 
-/// The lengths of normals at the centres of faces, of which those of the lower sheet come first.
-std::vector<double> LengthsOfNormals(const FramedMesh& surface, const ExecutionContext& context = SerialContext())
+/// The normals at the centres of faces, of which those of the lower sheet come first.
+std::vector<Vector3> NormalsOfInk(const FramedMesh& surface, const ExecutionContext& context = SerialContext())
 {
   std::vector<Vector3> positions;
   std::vector<Vector3> normals;
@@ -50,8 +50,13 @@ std::vector<double> LengthsOfNormals(const FramedMesh& surface, const ExecutionC
     normals.push_back(surface.Faces.Normal(face));
   }
   HalveNormalsAtThinWalls(surface, positions, normals, context);
+  return normals;
+}
+
+std::vector<double> LengthsOfNormals(const FramedMesh& surface, const ExecutionContext& context = SerialContext())
+{
   std::vector<double> lengths;
-  for (const Vector3& normal : normals)
+  for (const Vector3& normal : NormalsOfInk(surface, context))
   {
     lengths.push_back(normal.norm());
   }
@@ -81,13 +86,26 @@ TEST(ThinWalls, AreNoThickOnes)
   ExpectAll(LengthsOfNormals(Sheets(0.012 * Diagonal, true, true)), 1.0);
 }
 
-TEST(ThinWalls, AreNoSheetsThatFaceEachOtherOrTheSameWay)
+TEST(ThinWalls, AreNoSheetsThatFaceEachOther)
 {
   for (const double distance : { 1e-3, 0.1 })
   {
     ExpectAll(LengthsOfNormals(Sheets(distance, false, false)), 1.0); // a gap
-    ExpectAll(LengthsOfNormals(Sheets(distance, false, true)), 1.0);  // leaves of a book
   }
+}
+
+/// Both face up. The lower one shows its lines from below alone, the upper one from above.
+TEST(ThinWalls, OfSheetsThatFaceTheSameWayHaveNormalsAwayFromEachOther)
+{
+  for (const double distance : { 1e-6, 1e-3, 0.1 })
+  {
+    const std::vector<Vector3> normals = NormalsOfInk(Sheets(distance, false, true));
+    for (std::size_t face = 0; face < normals.size(); ++face)
+    {
+      EXPECT_NEAR(normals[face].z(), face < normals.size() / 2 ? -0.5 : 0.5, 1e-12);
+    }
+  }
+  ExpectAll(LengthsOfNormals(Sheets(0.012 * Diagonal, false, true)), 1.0);
 }
 
 TEST(ThinWalls, AreNoSingleSheetsOrBalls)
