@@ -131,14 +131,15 @@ void AddPrescribed(
 void AddPrincipalValues(const SurfaceView& view, const ConstraintArrays& choices)
 {
   vtkDataSet* const given = view.Given();
-  const ConstraintArrays arrays =
-    given->GetNumberOfCells() > 0 ? FindArrays(choices, given, "the surface", true) : ConstraintArrays();
-  vtkDataArray* const tensors = arrays.Vectors.Array;
+  const int components = ComponentsOf(choices.Vectors, given);
+  const ChosenArray chosen =
+    components > 0 ? FindArray(choices.Vectors, given, components, "directions", "the surface") : ChosenArray();
+  vtkDataArray* const tensors = chosen.Array;
   if (!HoldsTensors(tensors))
   {
     return;
   }
-  const bool onPoints = arrays.Vectors.OnPoints();
+  const bool onPoints = chosen.OnPoints();
   const FramedSurface& surface = view.Surface();
   const TangentFrames& frames = onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces;
   const auto values = NewArray(ArrayNames::PrincipalValues, 2, tensors->GetNumberOfTuples());
