@@ -321,6 +321,13 @@ void RunFields()
   guide->SetPoint2(0.9, 0.3, 0.2);
   guided->AddGuidesConnection(guide->GetOutputPort());
   RunFilter(guided, sphere);
+  const auto withTensors = Sphere(2);
+  withTensors->GetCellData()->AddArray(Zeros("Tensors", withTensors->GetNumberOfCells(), 6));
+  withTensors->GetCellData()->GetArray("Tensors")->FillComponent(0, 1.0);
+  const auto alongTensors = NewSolver(withTensors);
+  alongTensors->SetNumberOfDirections(2);
+  alongTensors->SetInputArrayToProcess(1, 0, 0, OnCells, "Tensors");
+  RunFilter(alongTensors, withTensors);
   const auto smoothest = NewSolver(sphere);
   smoothest->SetInputArrayToProcess(1, 0, 0, OnCells, "");
   RunFilter(smoothest, sphere);
