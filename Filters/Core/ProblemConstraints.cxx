@@ -70,7 +70,7 @@ std::string WarningOfCancelling(const CancellingFaces& faces)
 FollowedConstraints ProblemConstraints::Follow(const FieldProblem& problem, const Discretisation& discretisation,
   const ExecutionContext& context, const ElementNames& names)
 {
-  FollowedConstraints followed{ problem.Constraints, {}, {} };
+  FollowedConstraints followed{ problem.Constraints, {}, {}, {} };
   if (problem.SmoothingLength != 0.0)
   {
     CheckSmoothingLength(problem.SmoothingLength);
