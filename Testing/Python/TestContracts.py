@@ -9,7 +9,7 @@ from directionalmultigrid import vtkFiltersDirectionalFields as module
 from surfaces import add, torus, values_of_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 AXIS = np.array([0.2, 0.3, 1.0])
@@ -192,6 +192,19 @@ class Contracts(unittest.TestCase):
             with self.subTest(filter=name):
                 self.updated(name, self.data)
                 self.assertEqual(digest_of(self.data), before)
+
+    def test_two_blocks_are_two_surfaces(self):
+        for name in FILTERS:
+            with self.subTest(filter=name):
+                alone = [self.expected[name], digest(self.updated(name, self.other))]
+                blocks = vtkMultiBlockDataSet()
+                filter = self.made(name, self.data)
+                for k, data in enumerate((self.data, self.other)):
+                    blocks.SetBlock(k, self.made(name, data).GetInputDataObject(0, 0))
+                filter.SetInputDataObject(0, blocks)
+                filter.Update()
+                output = filter.GetOutputDataObject(0)
+                self.assertEqual([digest_of(output.GetBlock(k)) for k in (0, 1)], [ports[0] for ports in alone])
 
     def test_results_outlive_their_filter(self):
         """Outputs share no memory that another execution writes."""
