@@ -76,7 +76,7 @@ for flavour; do
   case $flavour in
     vtk-asan) run vtk-asan --tests-regex '^Fuzz[.]' ;;
     core-tsan) run core-tsan --tests-regex '^(Harmonic|Smoothest)Field[.].*ForAnyNumberOfThreads$' ;;
-    core-debug) run core-debug --tests-regex '^[A-Za-z]+[.]' --exclude-regex '^(QuadMesh|QuadReport|SymmetricQuads|MirrorPlane|Checks|Examples|Benchmarks|Documentation)[.]' ;;
+    core-debug) run core-debug --tests-regex '^[A-Za-z]+[.]' --exclude-regex '^(QuadMesh|QuadReport|QuadProgress|QuadSizes|SymmetricQuads|MirrorPlane|Checks|Examples|Benchmarks|Documentation)[.]' ;;
     *) run "$flavour" ;;
   esac
 done
