@@ -141,7 +141,7 @@ class Contracts(unittest.TestCase):
         before = vtkSMPTools.GetBackend()
         self.addCleanup(vtkSMPTools.SetBackend, before)
         for backend in ("Sequential", "STDThread"):
-            vtkSMPTools.SetBackend(backend)
+            self.assertTrue(vtkSMPTools.SetBackend(backend))
             for name in FILTERS:
                 with self.subTest(filter=name):
                     self.assertEqual(digest(self.updated(name, self.data)), self.expected[name], backend)

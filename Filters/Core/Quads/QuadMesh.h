@@ -84,7 +84,7 @@ struct QuadMesh
   std::vector<int> Valences;             ///< by vertex, the number of its quads
   std::vector<int> Singularities; ///< by vertex, the number of singular vertices of the surface that it stands for
   Vector<double> ScaledJacobians; ///< by quad, see QuadSmoothing.h
-  /// By quad and corner: u and v on the integer grid, which go on from quad to quad but across cuts (LayOutOnGrid).
+  /// The integers u and v of each quad's corners. They go on from quad to quad but across cuts (LayOutOnGrid).
   std::vector<CornersInGrid> Grid;
 
   /// The surface with its long edges halved, which the map is of; null where there are none.
