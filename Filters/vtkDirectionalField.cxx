@@ -93,33 +93,7 @@ int vtkDirectionalField::RequestData(
     {
       throw dmg::ToldFailure();
     }
-    // A copy: the pipelines of these filters write into the data what was asked for, and the output would seem to be another piece.
-    vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
-    const auto surface = vtk::TakeSmartPointer(output->NewInstance());
-    surface->ShallowCopy(output);
-    vtkNew<vtkFieldLines> lines;
-    lines->SetInputData(surface);
-    lines->SetSeparatingDistance(this->LineDistance);
-    vtkNew<vtkFieldSingularities> singularities;
-    singularities->SetInputData(surface);
-    singularities->SetSphereRadius(this->SphereRadius);
-    const auto draw = [&](vtkAlgorithm* filter, double from, double to)
-    {
-      const dmg::PartOfContext part(context, from, to);
-      if (!ranks)
-      {
-        return dmg::UpdateInside(this, filter, part);
-      }
-      bool isMade = false;
-      ranks->Together([&] { isMade = dmg::UpdateInside(this, filter, part, ranks->Rank(), ranks->Size()); });
-      return ranks->AreAll(isMade);
-    };
-    const bool isDrawn = draw(lines, PartOfSolver, Drawn) && draw(singularities, Drawn, 1.0);
-    if (isDrawn)
-    {
-      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines->GetOutput());
-      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(singularities->GetOutput(3));
-    }
+    this->Draw(outputVector, ranks, context);
   };
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   { solveAndDraw(whole, nullptr, context); };
@@ -131,6 +105,38 @@ int vtkDirectionalField::RequestData(
     return std::string();
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionalField::Draw(
+  vtkInformationVector* outputVector, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context)
+{
+  // A copy: the pipelines of these filters write into the data what was asked for, and the output would seem to be another piece.
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
+  const auto surface = vtk::TakeSmartPointer(output->NewInstance());
+  surface->ShallowCopy(output);
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(surface);
+  lines->SetSeparatingDistance(this->LineDistance);
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetInputData(surface);
+  singularities->SetSphereRadius(this->SphereRadius);
+  const auto draw = [&](vtkAlgorithm* filter, double from, double to)
+  {
+    const dmg::PartOfContext part(context, from, to);
+    if (!ranks)
+    {
+      return dmg::UpdateInside(this, filter, part);
+    }
+    bool isMade = false;
+    ranks->Together([&] { isMade = dmg::UpdateInside(this, filter, part, ranks->Rank(), ranks->Size()); });
+    return ranks->AreAll(isMade);
+  };
+  if (draw(lines, PartOfSolver, Drawn) && draw(singularities, Drawn, 1.0))
+  {
+    vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines->GetOutput());
+    vtkPolyData::GetData(outputVector, 2)->ShallowCopy(singularities->GetOutput(3));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,9 @@
 
 namespace dmg
 {
+class ExecutionContext;
 class PropertyTable;
+class RanksOfPipeline;
 }
 
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalField : public vtkHarmonicFieldSolver
@@ -81,6 +83,9 @@ protected:
 
 private:
   dmg::PropertyTable Properties() const;
+  /// The lines and singularities of the field that stands in the first output; without ranks, of one process.
+  void Draw(
+    vtkInformationVector* outputVector, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context);
 
   double LineDistance = 0.015;
   double SphereRadius = 0.012;

@@ -3,16 +3,12 @@
 #include "SolverTools.h"
 #include "TestTools.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkDirectionalField.h"
 #include "vtkFieldLines.h"
 #include "vtkFieldSingularities.h"
 #include "vtkVariant.h"
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace
 {
@@ -122,46 +118,5 @@ TEST(DirectionalField, RefusesWhatItsPartsRefuse)
   for (int port = 0; port < 3; ++port)
   {
     EXPECT_EQ(field->GetOutputDataObject(port)->GetNumberOfElements(vtkDataObject::CELL), 0);
-  }
-}
-
-TEST(DirectionalField, ReportsProgressThatGrowsAndCanBeAborted)
-{
-  struct Heard
-  {
-    std::vector<double> Progress;
-    double AbortAt = 2.0;
-  } heard;
-  vtkNew<vtkDirectionalField> field;
-  Prescribe(field, SphereWithDirections(), vtkHarmonicFieldSolver::PowerField, 4);
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&heard);
-  listener->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void*)
-    {
-      auto* const filter = static_cast<vtkAlgorithm*>(caller);
-      auto* const listening = static_cast<Heard*>(client);
-      listening->Progress.push_back(filter->GetProgress());
-      if (filter->GetProgress() >= listening->AbortAt)
-      {
-        filter->SetAbortExecute(1);
-      }
-    });
-  field->AddObserver(vtkCommand::ProgressEvent, listener);
-  field->Update();
-  EXPECT_TRUE(std::is_sorted(heard.Progress.begin(), heard.Progress.end()));
-  EXPECT_GT(field->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::CELL), 0);
-  for (const double at : { 0.1, 0.75 }) // in the solver, and in the drawing
-  {
-    heard = { {}, at };
-    field->SetNumberOfDirections(field->GetNumberOfDirections() + 1);
-    field->Update();
-    for (int port = 0; port < 3; ++port)
-    {
-      EXPECT_EQ(field->GetOutputDataObject(port)->GetNumberOfElements(vtkDataObject::CELL), 0) << at;
-    }
-    heard.AbortAt = 2.0;
-    field->Update();
-    EXPECT_GT(field->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::CELL), 0) << at;
   }
 }

@@ -232,17 +232,6 @@ TEST(DirectionalProlongation, EveryPropertyCounts)
 // Inputs
 // ---------------------------------------------------------------------------------------------
 
-TEST(DirectionalProlongation, EmptyInputGivesEmptyOutputSilently)
-{
-  vtkNew<vtkPolyData> empty;
-  const auto filter = NewFilter(empty);
-  const Messages messages(filter);
-  filter->Update();
-  EXPECT_TRUE(messages.Silent());
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
-}
-
 TEST(DirectionalProlongation, VertsAndLinesAndUnusedPointsTakeNoPart)
 {
   const auto input = Sphere();
@@ -415,50 +404,3 @@ TEST_P(RefusedSurface, NamesElementAndRemedyAndLeavesOutputsEmpty)
 
 INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, RefusedSurface, testing::ValuesIn(BadInputs),
   [](const testing::TestParamInfo<BadInput>& info) { return info.param.Name; });
-
-// Abort
-// ----------------------------------------------------------------------------------------------
-
-class Abort : public testing::TestWithParam<vtkDirectionalProlongation::Constructions>
-{
-};
-
-TEST_P(Abort, LeavesNothingAndTheNextRunIsWhole)
-{
-  const auto input = Sphere();
-  const auto uninterrupted = NewFilter(input);
-  uninterrupted->SetConstruction(GetParam());
-  uninterrupted->Update();
-  const auto filter = NewFilter(input);
-  filter->SetConstruction(GetParam());
-  for (double fraction : { 0.0, 0.3, 0.7 })
-  {
-    SCOPED_TRACE(fraction);
-    const AbortAt abort(filter, fraction);
-    filter->Modified();
-    filter->Update();
-    EXPECT_TRUE(abort.Asked());
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
-    EXPECT_EQ(
-      vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfPartitionedDataSets(),
-      0u);
-    EXPECT_EQ(filter->GetNumberOfSetups(), 0);
-  }
-  const Messages messages(filter);
-  filter->Update(); // nothing else has changed
-  EXPECT_TRUE(messages.Silent());
-  EXPECT_EQ(filter->GetNumberOfSetups(), 1);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1280);
-  for (const std::string name : { "S0.0", "SP.0", "Nodal.0", "S0.1", "SP.1", "Nodal.1" })
-  {
-    const std::string array = "Prolongation." + name + ".Values";
-    EXPECT_EQ(
-      Values(filter->GetOutput()->GetFieldData(), array), Values(uninterrupted->GetOutput()->GetFieldData(), array));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, Abort,
-  testing::Values(vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
-  [](const auto& info)
-  { return info.param == vtkDirectionalProlongation::ExactOverlay ? "ExactOverlay" : "TrackedPaths"; });

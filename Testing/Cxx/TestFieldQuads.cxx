@@ -314,22 +314,6 @@ TEST(FieldQuads, HaveTextureCoordinatesOfTheGridWhereTheyAreCut)
   EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("GridCoordinates"));
 }
 
-TEST(FieldQuads, TellProgressThatNeverGoesBack)
-{
-  vtkNew<vtkFieldQuads> filter;
-  filter->SetInputData(PolyDataOf(IrregularSphere(3, 5)));
-  filter->SetNumberOfQuads(300);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&progress);
-  keep->SetCallback([](vtkObject* caller, unsigned long, void* list, void*)
-    { static_cast<std::vector<double>*>(list)->push_back(static_cast<vtkAlgorithm*>(caller)->GetProgress()); });
-  filter->AddObserver(vtkCommand::ProgressEvent, keep);
-  filter->Update();
-  EXPECT_GT(progress.size(), 20u);
-  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-}
-
 TEST(FieldQuads, TakeSizesFromArray)
 {
   const auto square = SquareWithArrays();
@@ -459,20 +443,4 @@ TEST(FieldQuads, RefuseFieldOfSixDirections)
   filter->Update();
   EXPECT_NE(messages.Error().find("6 directions"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-}
-
-TEST(FieldQuads, AreEmptyAfterAbortAndThereAfterwards)
-{
-  vtkNew<vtkFieldQuads> filter;
-  filter->SetInputData(PolyDataOf(Icosphere(3)));
-  filter->SetNumberOfQuads(400);
-  {
-    AbortAt abort(filter, 0.5);
-    filter->Update();
-    EXPECT_TRUE(abort.Asked());
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  }
-  filter->Modified();
-  filter->Update();
-  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 300);
 }

@@ -5,7 +5,6 @@
 #include "vtkDirectionalProlongation.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
@@ -267,29 +266,6 @@ TEST(HarmonicFieldSolver, DirectionsAreUnitVectorsIfAsked)
   }
 }
 
-TEST(HarmonicFieldSolver, ThreadsDoNotChangeABit)
-{
-  std::vector<double> results[2];
-  const std::string before = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-  for (int threads : { 1, 2 })
-  {
-    vtkSMPTools::Initialize(threads);
-    vtkNew<vtkDirectionalProlongation> prolongation;
-    const auto input = PolyDataOf(Icosphere(5));
-    AddCellVectors(input, "Given", { { 10, { 1.0, 0.5, -0.25 } } });
-    prolongation->SetInputData(input);
-    const auto solver = NewSolver(input);
-    solver->SetInputConnection(prolongation->GetOutputPort());
-    solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
-    solver->Update();
-    results[threads - 1] = CellValues(solver, "PowerField");
-  }
-  vtkSMPTools::Initialize(0);
-  vtkSMPTools::SetBackend(before.c_str());
-  EXPECT_EQ(results[0], results[1]);
-}
-
 // While the prescribed directions turn and move, the first direction of a cell goes on as the nearest one, so that it turns by
 // no more than half a step; and after a jump it is combed as by a new filter.
 TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
@@ -335,16 +311,6 @@ TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
   {
     ASSERT_GE(cosine(expected, combed, cell), 0.999) << cell;
   }
-}
-
-TEST(HarmonicFieldSolver, EmptyInputGivesEmptyOutputSilently)
-{
-  vtkNew<vtkPolyData> empty;
-  const auto solver = NewSolver(empty);
-  const Messages messages(solver);
-  solver->Update();
-  EXPECT_TRUE(messages.Silent());
-  ExpectEmpty(solver);
 }
 
 TEST(HarmonicFieldSolver, PieceZeroHoldsTheWholeAndTheOthersNothing)

@@ -716,17 +716,3 @@ TEST(HodgeDecomposition, CellsWithoutAFlowTakeNoPart)
     EXPECT_EQ(std::isnan(parts[k]), k / 3 == 7) << k;
   }
 }
-
-TEST(HodgeDecomposition, AbortedRunsStartAgain)
-{
-  vtkNew<vtkHodgeDecomposition> filter;
-  filter->SetInputData(WithCellVectors(Icosphere(4), Rotation));
-  {
-    const AbortAt abort(filter, 0.3);
-    filter->Update();
-    EXPECT_TRUE(abort.Asked());
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  }
-  filter->Update();
-  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
-}

@@ -313,20 +313,6 @@ TEST(ParallelTransportFilter, WhatIsWrongIsToldWithARemedy)
     [](vtkParallelTransport* filter) { filter->SetInputArrayToProcess(0, 0, 0, OnPoints, "Zero"); });
 }
 
-TEST(ParallelTransportFilter, AbortedRunsStartAgain)
-{
-  vtkNew<vtkParallelTransport> filter;
-  filter->SetInputData(PolyDataOf(Icosphere(3)));
-  {
-    const AbortAt abort(filter, 0.3);
-    filter->Update();
-    EXPECT_TRUE(abort.Asked());
-    EXPECT_EQ(OutputOf(filter)->GetNumberOfCells(), 0);
-  }
-  filter->Update();
-  EXPECT_GT(OutputOf(filter)->GetNumberOfCells(), 0);
-}
-
 TEST(ParallelTransportFilter, KeepsTheFactorsOfEachLeafOfACompositeDataset)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

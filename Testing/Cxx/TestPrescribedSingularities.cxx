@@ -278,36 +278,3 @@ TEST_F(Singularities, NearTheBoundaryStandInside)
   this->Solver->SetInputData(2, PointsAt({ { 1.6, 0.1, 0 } })); // a triangle with (1, 0), (2, 0) and (2, 1)
   EXPECT_EQ(this->Found(), (std::map<vtkIdType, int>{ { 7, 1 } }));
 }
-
-TEST_F(Singularities, AbortedAtAnyTimeLeaveNothingAndAreWholeTheNextTime)
-{
-  const auto places = PointsAt({ { 1.4, 0, 0 }, { -1.4, 0, 0 } }, { 0.25F, -0.25F });
-  const auto torus = PolyDataOf(IrregularTorus(60, 30, 4));
-  const auto newSolver = [&]
-  {
-    auto solver = vtkSmartPointer<vtkHarmonicFieldSolver>::New();
-    solver->SetInputData(torus);
-    solver->SetInputData(2, places);
-    solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
-    return solver;
-  };
-  const auto uninterrupted = newSolver();
-  uninterrupted->Update();
-  for (const double fraction : { 0.15, 0.4, 0.6, 0.7, 0.8, 0.88, 0.92 })
-  {
-    SCOPED_TRACE(fraction);
-    const auto solver = newSolver();
-    {
-      const Messages messages(solver);
-      const AbortAt abort(solver, fraction);
-      solver->Update();
-      EXPECT_TRUE(abort.Asked());
-      EXPECT_TRUE(messages.Silent());
-    }
-    EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 0);
-    solver->Update();
-    EXPECT_EQ(solver->GetNumberOfSolves(), 1);
-    EXPECT_EQ(Values(solver->GetOutput()->GetCellData(), "PowerField"),
-      Values(uninterrupted->GetOutput()->GetCellData(), "PowerField"));
-  }
-}

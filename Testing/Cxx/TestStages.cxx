@@ -259,37 +259,6 @@ TEST(Discretisation, AnotherRepeatsTheSystemAndDecimatesOnlyForOperatorsThatAreM
 // Abort
 // ----------------------------------------------------------------------------------------------
 
-TEST(HarmonicFieldSolver, AbortInEachStageLeavesNothingAndTheNextRunIsWhole)
-{
-  const auto input = Sphere(4);
-  const auto uninterrupted = NewSolver(input);
-  uninterrupted->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
-  uninterrupted->Update();
-  struct
-  {
-    double Fraction; // within the stage, see RequestData
-    Counts Done;
-  } const stages[] = { { 0.2, { 0, 0, 0 } }, { 0.51, { 1, 0, 0 } }, { 0.71, { 1, 1, 0 } } };
-  for (const auto& stage : stages)
-  {
-    SCOPED_TRACE(stage.Fraction);
-    const auto solver = NewSolver(input);
-    solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
-    {
-      const Messages messages(solver);
-      const AbortAt abort(solver, stage.Fraction);
-      solver->Update();
-      EXPECT_TRUE(abort.Asked());
-      EXPECT_TRUE(messages.Silent());
-    }
-    ExpectEmpty(solver);
-    EXPECT_EQ(CountsOf(solver), stage.Done);
-    solver->Update(); // nothing else has changed
-    EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
-    EXPECT_EQ(CellValues(solver, "PowerField"), CellValues(uninterrupted, "PowerField"));
-  }
-}
-
 TEST(HarmonicFieldSolver, AbortKeepsWhatWasComplete)
 {
   const auto input = Sphere(4);
@@ -311,38 +280,5 @@ TEST(HarmonicFieldSolver, AbortKeepsWhatWasComplete)
     solver->Update();
     EXPECT_EQ(CountsOf(solver), (Counts{ setups, 1, 1 }));
     EXPECT_EQ(CellValues(solver, "PowerField"), before);
-  }
-}
-
-TEST_P(VectorField, AbortedInAnyStageLeavesNothingAndIsWholeTheNextTime)
-{
-  const auto input = Sphere(4);
-  const auto newSolver = [&input]
-  {
-    const auto solver = NewSolver(input, GetParam());
-    solver->SetSolver(Solver::ConjugateGradients);
-    solver->SetCoarseSpace(Solver::StructurePreserving);
-    return solver;
-  };
-  const auto uninterrupted = newSolver();
-  uninterrupted->Update();
-  const std::pair<double, Counts> stages[] = { { 0.2, { 0, 0, 0 } }, { 0.51, { 1, 0, 0 } }, { 0.71, { 1, 1, 0 } },
-    { 0.91, { 1, 1, 1 } } };
-  for (const auto& [fraction, done] : stages)
-  {
-    SCOPED_TRACE(fraction);
-    const auto solver = newSolver();
-    {
-      const Messages messages(solver);
-      const AbortAt abort(solver, fraction);
-      solver->Update();
-      EXPECT_TRUE(abort.Asked());
-      EXPECT_TRUE(messages.Silent());
-    }
-    ExpectEmpty(solver);
-    EXPECT_EQ(CountsOf(solver), done);
-    solver->Update(); // nothing else has changed
-    EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
-    EXPECT_EQ(Unknowns(solver), Unknowns(uninterrupted));
   }
 }

@@ -611,23 +611,3 @@ TEST(SurfaceDistanceFilter, FindsDistancesOnceForOtherTargetsAndLevels)
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSetups(), 4);
 }
-
-TEST(SurfaceDistanceFilter, AbortedRunsStartAgain)
-{
-  for (const double when : { 0.3, 0.8 }) // among distances and among paths
-  {
-    vtkNew<vtkSurfaceDistance> filter;
-    filter->SetInputData(PolyDataOf(Icosphere(3)));
-    filter->AddInputDataObject(2, PolyDataOf(Icosphere(1)));
-    {
-      const AbortAt abort(filter, when);
-      filter->Update();
-      EXPECT_TRUE(abort.Asked());
-      EXPECT_EQ(OutputOf(filter)->GetNumberOfCells(), 0);
-      EXPECT_EQ(OutputOf(filter, 2)->GetNumberOfCells(), 0);
-    }
-    filter->Update();
-    EXPECT_GT(OutputOf(filter)->GetNumberOfCells(), 0);
-    EXPECT_GT(OutputOf(filter, 2)->GetNumberOfCells(), 0);
-  }
-}

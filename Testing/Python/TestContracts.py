@@ -1,5 +1,6 @@
 """What every filter promises, whatever it computes: the same bits for any number of threads and whatever was computed before,
-an abort that leaves nothing behind, an input that stays as it was. A new filter joins by a row of FILTERS."""
+an abort that leaves nothing behind, an input that stays as it was. A new filter joins by a row of FILTERS. What it has besides, as
+other kinds of unknowns, joins by a row of VARIANTS."""
 
 import hashlib
 import unittest
@@ -8,7 +9,7 @@ import numpy as np
 from directionalmultigrid import vtkFiltersDirectionalFields as module
 from surfaces import add, torus, values_of_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkSMPTools
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints, vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -55,6 +56,34 @@ def scales(filter, data):
     filter.AddArray("height")
 
 
+def solver(kind, **properties):
+    """A solver of unknowns of a kind by multigrid."""
+    def set_up(filter, data):
+        filter.SetInputData(data)
+        filter.SetDiscretisation(getattr(module.vtkHarmonicFieldSolver, kind))
+        filter.SetSolver(filter.ConjugateGradients)
+        function = kind == "ScalarFunction"
+        filter.SetInputArrayToProcess(3 if function else 1, 0, 0, 0, "region" if function else "sources")
+        for name, value in properties.items():
+            getattr(filter, f"Set{name}")(value)
+    return set_up
+
+
+def with_singularities(filter, data):
+    solver("PointPowerField")(filter, data)
+    places = vtkPolyData()
+    places.SetPoints(vtkPoints())
+    for at in ((1.4, 0, 0), (-1.4, 0, 0)):
+        places.GetPoints().InsertNextPoint(at)
+    add(places.GetPointData(), "Index", np.array([0.25, -0.25]))
+    filter.SetInputData(2, places)
+
+
+def by_overlay(filter, data):
+    filter.SetInputData(data)
+    filter.SetConstruction(filter.ExactOverlay)
+
+
 FILTERS = {
     "vtkHarmonicFieldSolver": arrays(None, "sources"),
     "vtkDirectionalField": arrays(None, "sources"),
@@ -70,6 +99,18 @@ FILTERS = {
     "vtkSurfaceDistance": arrays("region"),
     "vtkScaleFilter": scales,
 }
+
+VARIANTS = {
+    "on faces": ("vtkHarmonicFieldSolver", solver("PowerField")),
+    "on samples": ("vtkHarmonicFieldSolver", solver("PointPowerField")),
+    "by structure-preserving operators": ("vtkHarmonicFieldSolver", solver("OneForm", CoarseSpace=1)),
+    "with a harmonic basis": ("vtkHarmonicFieldSolver", solver("FaceField", HarmonicBasis=True)),
+    "of a function": ("vtkHarmonicFieldSolver", solver("ScalarFunction")),
+    "with prescribed singularities": ("vtkHarmonicFieldSolver", with_singularities),
+    "by exact overlays": ("vtkDirectionalProlongation", by_overlay),
+}
+
+RUNS = {name: (name, set_up) for name, set_up in FILTERS.items()} | VARIANTS
 
 
 def digest(filter):
@@ -106,12 +147,13 @@ class Contracts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.data, cls.other = surface(), surface(60, 0.5)
-        cls.expected = {name: digest(cls.updated(name, cls.data)) for name in FILTERS}
+        cls.expected = {name: digest(cls.updated(name, cls.data)) for name in RUNS}
 
     @staticmethod
     def made(name, data):
-        filter = getattr(module, name)()
-        FILTERS[name](filter, data)
+        kind, set_up = RUNS[name]
+        filter = getattr(module, kind)()
+        set_up(filter, data)
         return filter
 
     @classmethod
@@ -133,24 +175,26 @@ class Contracts(unittest.TestCase):
         self.assertEqual(concrete, set(FILTERS))
 
     def test_something_is_computed(self):
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 self.assertFalse(is_empty(self.updated(name, self.data)))
 
     def test_same_bits_for_any_number_of_threads(self):
         before = vtkSMPTools.GetBackend()
         self.addCleanup(vtkSMPTools.SetBackend, before)
-        for backend in ("Sequential", "STDThread"):
+        self.addCleanup(vtkSMPTools.Initialize, 0)
+        for backend, threads in (("Sequential", 1), ("STDThread", 3)):
             self.assertTrue(vtkSMPTools.SetBackend(backend))
-            for name in FILTERS:
+            vtkSMPTools.Initialize(threads)
+            for name in RUNS:
                 with self.subTest(filter=name):
                     self.assertEqual(digest(self.updated(name, self.data)), self.expected[name], backend)
 
     def test_same_bits_whatever_was_computed_before(self):
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 filter = self.updated(name, self.other)
-                FILTERS[name](filter, self.data)
+                RUNS[name][1](filter, self.data)
                 filter.Update()
                 self.assertEqual(digest(filter), self.expected[name])
                 filter.Modified()
@@ -158,26 +202,33 @@ class Contracts(unittest.TestCase):
                 self.assertEqual(digest(filter), self.expected[name])
 
     def test_an_abort_leaves_nothing_behind(self):
-        for name in FILTERS:
-            with self.subTest(filter=name):
-                for events in (1, 3, 9):
+        for name in RUNS:
+            for fraction in (0.0, 0.2, 0.51, 0.71, 0.91):  # the solver's stages end at 0.5, 0.7 and 0.9
+                with self.subTest(filter=name, fraction=fraction):
                     filter = self.made(name, self.data)
+                    told = []
+                    filter.AddObserver("ErrorEvent", lambda *_: told.append("error"))
+                    filter.AddObserver("WarningEvent", lambda *_: told.append("warning"))
                     seen = []
 
                     def hear(caller, _event):
                         seen.append(caller.GetProgress())
-                        caller.SetAbortExecute(len(seen) >= events)
+                        caller.SetAbortExecute(seen[-1] >= fraction)
 
                     tag = filter.AddObserver("ProgressEvent", hear)
                     filter.Update()
+                    self.assertTrue(filter.GetAbortExecute())
+                    if fraction <= 0.2 or seen[-1] < 1.0:  # some tell no more before they are done
+                        self.assertTrue(is_empty(filter))
+                    self.assertEqual(told, [])
                     filter.RemoveObserver(tag)
                     filter.SetAbortExecute(False)
                     filter.Modified()
                     filter.Update()
-                    self.assertEqual(digest(filter), self.expected[name], f"aborted at event {events}")
+                    self.assertEqual(digest(filter), self.expected[name])
 
     def test_progress_never_goes_back(self):
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 filter = self.made(name, self.data)
                 seen = []
@@ -188,13 +239,35 @@ class Contracts(unittest.TestCase):
 
     def test_the_input_stays_as_it_was(self):
         before = digest_of(self.data)
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 self.updated(name, self.data)
                 self.assertEqual(digest_of(self.data), before)
 
+    def test_of_nothing_is_nothing(self):
+        for name in RUNS:
+            with self.subTest(filter=name):
+                filter = self.made(name, self.data)
+                told = []
+                filter.AddObserver("ErrorEvent", lambda *_: told.append("error"))
+                filter.AddObserver("WarningEvent", lambda *_: told.append("warning"))
+                filter.SetInputData(vtkPolyData())
+                filter.Update()
+                self.assertTrue(is_empty(filter))
+                self.assertEqual(told, [])
+
+    def test_piece_zero_of_many_is_the_whole(self):
+        """On one process, whatever number of pieces is asked for."""
+        for name in RUNS:
+            with self.subTest(filter=name):
+                filter = self.made(name, self.data)
+                filter.UpdatePiece(1, 2, 0)
+                self.assertTrue(is_empty(filter))
+                filter.UpdatePiece(0, 2, 0)
+                self.assertEqual(digest(filter)[0], self.expected[name][0])
+
     def test_two_blocks_are_two_surfaces(self):
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 alone = [self.expected[name], digest(self.updated(name, self.other))]
                 blocks = vtkMultiBlockDataSet()
@@ -208,7 +281,7 @@ class Contracts(unittest.TestCase):
 
     def test_results_outlive_their_filter(self):
         """Outputs share no memory that another execution writes."""
-        for name in FILTERS:
+        for name in RUNS:
             with self.subTest(filter=name):
                 filter = self.updated(name, self.data)
                 kept = []
@@ -216,7 +289,7 @@ class Contracts(unittest.TestCase):
                     output = filter.GetOutputDataObject(port)
                     kept.append(output.NewInstance())
                     kept[-1].ShallowCopy(output)
-                FILTERS[name](filter, self.other)
+                RUNS[name][1](filter, self.other)
                 filter.Update()
                 self.assertEqual([digest_of(output) for output in kept], self.expected[name])
 

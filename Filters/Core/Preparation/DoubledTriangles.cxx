@@ -118,29 +118,12 @@ std::vector<int> OppositeTwins(
   return twins;
 }
 
-}
-
-void KeepTwinsOfSolids(const Triangles& triangles, const std::vector<char>& takesPart, std::vector<int>& firsts,
-  const ExecutionContext& context)
+/// For each triangle whether it has a twin and lies in a patch of such triangles between solids.
+/// \param alone triangles, none of which is another's double; \param sides theirs, 3 each, by their points.
+std::vector<char> LieBetweenSolids(
+  const std::vector<int>& alone, const std::vector<int>& twins, const ItemsByPair& sides, int numberOfPoints)
 {
-  const std::vector<int> twins = OppositeTwins(triangles, takesPart, firsts);
-  const int size = static_cast<int>(triangles.rows());
-  const std::vector<int> alone = Choose(
-    size, [&](int t) { return takesPart[t] && firsts[t] == t; }, context);
-  if (std::all_of(twins.begin(), twins.end(), [](int twin) { return twin < 0; }))
-  {
-    return;
-  }
-  const int numberOfPoints = triangles.maxCoeff() + 1;
-  const auto triangleOf = [&alone](int side) { return alone[side / 3]; };
-  const ItemsByPair sides = SortByPair(
-    3 * static_cast<int>(alone.size()), numberOfPoints,
-    [&](int side) -> std::pair<int, int>
-    {
-      const int t = triangleOf(side), k = side % 3;
-      return std::minmax({ triangles(t, k), triangles(t, (k + 1) % 3) });
-    },
-    context);
+  const int size = static_cast<int>(twins.size());
   DisjointSets patches(size);
   std::vector<int> between; // triangles of patches that lie between solids
   for (int point = 0; point < numberOfPoints; ++point)
@@ -150,7 +133,7 @@ void KeepTwinsOfSolids(const Triangles& triangles, const std::vector<char>& take
       std::vector<int> ofPatches;
       for (; last < sides.Begins[point + 1] && sides.Items[last].Second == sides.Items[first].Second; ++last)
       {
-        if (const int t = triangleOf(sides.Items[last].Item); twins[t] >= 0)
+        if (const int t = alone[sides.Items[last].Item / 3]; twins[t] >= 0)
         {
           ofPatches.push_back(t);
         }
@@ -174,9 +157,40 @@ void KeepTwinsOfSolids(const Triangles& triangles, const std::vector<char>& take
   {
     isBetween[patches.Smallest(t)] = 1;
   }
+  std::vector<char> result(size, 0);
   for (int t = 0; t < size; ++t)
   {
-    if (twins[t] >= 0 && isBetween[patches.Smallest(t)])
+    result[t] = twins[t] >= 0 && isBetween[patches.Smallest(t)];
+  }
+  return result;
+}
+
+}
+
+void KeepTwinsOfSolids(const Triangles& triangles, const std::vector<char>& takesPart, std::vector<int>& firsts,
+  const ExecutionContext& context)
+{
+  const std::vector<int> twins = OppositeTwins(triangles, takesPart, firsts);
+  if (std::all_of(twins.begin(), twins.end(), [](int twin) { return twin < 0; }))
+  {
+    return;
+  }
+  const int size = static_cast<int>(triangles.rows());
+  const std::vector<int> alone = Choose(
+    size, [&](int t) { return takesPart[t] && firsts[t] == t; }, context);
+  const int numberOfPoints = triangles.maxCoeff() + 1;
+  const ItemsByPair sides = SortByPair(
+    3 * static_cast<int>(alone.size()), numberOfPoints,
+    [&](int side) -> std::pair<int, int>
+    {
+      const int t = alone[side / 3], k = side % 3;
+      return std::minmax({ triangles(t, k), triangles(t, (k + 1) % 3) });
+    },
+    context);
+  const std::vector<char> isBetween = LieBetweenSolids(alone, twins, sides, numberOfPoints);
+  for (int t = 0; t < size; ++t)
+  {
+    if (isBetween[t])
     {
       firsts[twins[t]] = twins[t];
     }

@@ -15,6 +15,8 @@
 #include <iomanip>
 #include <numeric>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace dmg
 {
@@ -262,6 +264,44 @@ void LocallyOptimalIteration::Step()
     });
 }
 
+/// Parts that are too slow by themselves are solved for once more, by blocks of vectors. \return the row of the report.
+IterationReport SolveSlowParts(const LocallyOptimalIteration& iteration, const EigenProblem& problem,
+  const StoppingCriteria& stop, Vector<double>& x, std::vector<double>& eigenvalues, bool& isConverged,
+  const ExecutionContext& context)
+{
+  IterationReport row;
+  row.RelativeResidual = 0.0;
+  std::vector<int> slow;
+  for (std::size_t part = 0; part < eigenvalues.size(); ++part)
+  {
+    const double residual = iteration.Residuals()[part];
+    if (residual > stop.RelativeTolerance)
+    {
+      slow.push_back(static_cast<int>(part));
+    }
+    else
+    {
+      row.RelativeResidual = std::max(row.RelativeResidual, residual);
+    }
+  }
+  isConverged = true;
+  for (const LowestOfPart& part : FindLowestOfBlocks(problem, slow, stop, x, eigenvalues, context))
+  {
+    row.RelativeResidual = std::max(row.RelativeResidual, part.Residual);
+    isConverged &= part.IsSolved;
+  }
+  row.Energy = std::accumulate(eigenvalues.begin(), eigenvalues.end(), 0.0);
+  return row;
+}
+
+std::string WarningOfResidual(double residual, double tolerance)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << "The smoothest field was found to a residual of " << residual << " instead of "
+       << tolerance << ", as the limit of iterations is reached; raise " << TextOf(Remedy::Iterations) << ".";
+  return text.str();
+}
+
 }
 
 std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
@@ -269,6 +309,7 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  const auto secondsSince = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   LocallyOptimalIteration iteration(problem, x, context);
   iteration.Start();
   report.Iterations.clear();
@@ -278,12 +319,8 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     IterationReport row;
     row.Iteration = k;
     row.RelativeResidual = iteration.FindResidual();
-    row.Seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    row.Energy = 0.0;
-    for (const double theta : iteration.Eigenvalues())
-    {
-      row.Energy += theta;
-    }
+    row.Seconds = secondsSince();
+    row.Energy = std::accumulate(iteration.Eigenvalues().begin(), iteration.Eigenvalues().end(), 0.0);
     report.Iterations.push_back(row);
     report.Converged = row.RelativeResidual <= stop.RelativeTolerance;
     context.Checkpoint(static_cast<double>(k) / stop.MaximumIterations);
@@ -297,33 +334,14 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
   constexpr int Patience = 100; // who allows fewer iterations wants to see them
   if (!report.Converged && stop.MaximumIterations >= Patience)
   {
-    IterationReport row = report.Iterations.back();
-    row.Iteration += 1;
-    row.RelativeResidual = 0.0;
-    std::vector<int> slow;
-    for (std::size_t part = 0; part < eigenvalues.size(); ++part)
-    {
-      const double residual = iteration.Residuals()[part];
-      residual > stop.RelativeTolerance ? slow.push_back(static_cast<int>(part))
-                                        : void(row.RelativeResidual = std::max(row.RelativeResidual, residual));
-    }
-    report.Converged = true;
-    for (const LowestOfPart& part : FindLowestOfBlocks(problem, slow, stop, x, eigenvalues, context))
-    {
-      row.RelativeResidual = std::max(row.RelativeResidual, part.Residual);
-      report.Converged &= part.IsSolved;
-    }
-    row.Energy = std::accumulate(eigenvalues.begin(), eigenvalues.end(), 0.0);
-    row.Seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    IterationReport row = SolveSlowParts(iteration, problem, stop, x, eigenvalues, report.Converged, context);
+    row.Iteration = report.Iterations.back().Iteration + 1;
+    row.Seconds = secondsSince();
     report.Iterations.push_back(row);
   }
   if (!report.Converged)
   {
-    std::ostringstream text;
-    text << std::setprecision(2) << "The smoothest field was found to a residual of "
-         << report.Iterations.back().RelativeResidual << " instead of " << stop.RelativeTolerance
-         << ", as the limit of iterations is reached; raise " << TextOf(Remedy::Iterations) << ".";
-    report.Warnings.push_back(text.str());
+    report.Warnings.push_back(WarningOfResidual(report.Iterations.back().RelativeResidual, stop.RelativeTolerance));
   }
   report.SolveSeconds = report.Iterations.back().Seconds;
   return eigenvalues;
