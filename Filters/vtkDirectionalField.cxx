@@ -91,7 +91,7 @@ int vtkDirectionalField::RequestData(
     }
     if (success == 0)
     {
-      throw dmg::ToldFailure();
+      throw dmg::ReportedFailure();
     }
     this->Draw(outputVector, ranks, context);
   };

@@ -145,8 +145,7 @@ void ProblemConstraints::Rotate(
   const bool isAny = this->IsAnywhere(!constraints.OnFaces.empty() || !constraints.AtVertices.empty());
   if (isNothingSaid && !isAny)
   {
-    followed.Warnings.push_back(
-      "nothing is followed that the field could be turned against, so " + TextOf(Remedy::RotationOfNothing));
+    followed.Warnings.push_back(TextOf(Remedy::RotationOfNothing));
     return;
   }
   this->Turn(followed.Constraints, problem.Rotation, names);

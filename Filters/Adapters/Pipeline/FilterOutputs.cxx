@@ -7,7 +7,7 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
-#include "Adapters/Pipeline/ToldMessages.h"
+#include "Adapters/Pipeline/ReportedMessages.h"
 #include "Adapters/Pipeline/TouchingLeaves.h"
 #include "Adapters/Ranks/GatheredInputs.h"
 #include "Adapters/Ranks/JoinedPieces.h"
@@ -135,7 +135,7 @@ void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformat
   WarnOfTouchingLeaves(algorithm, surface);
   if (IsVolume(given))
   {
-    TellOnce(algorithm, outputs, "Skin", "the dataset has cells of three dimensions; its skin is the surface");
+    ReportOnce(algorithm, outputs, "Skin", "the dataset has cells of three dimensions; its skin is the surface");
   }
 }
 
@@ -229,7 +229,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   }
   if (ranks.Rank() == 0 && !gathered.Note().empty())
   {
-    TellOnce(algorithm, outputs, "Gathered", gathered.Note() + ", since " + reason);
+    ReportOnce(algorithm, outputs, "Gathered", gathered.Note() + ", since " + reason);
   }
 }
 
@@ -256,7 +256,7 @@ bool HasGoneThrough(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkI
   {
     vtkDataObject::GetData(outputs, 0)->ShallowCopy(block);
   }
-  TellOnce(algorithm, outputs, "Block", "a block has no cells of two or three dimensions and goes through as it is");
+  ReportOnce(algorithm, outputs, "Block", "a block has no cells of two or three dimensions and goes through as it is");
   return true;
 }
 

@@ -16,7 +16,7 @@ class vtkInformationVector;
 namespace dmg
 {
 
-/// The array that is chosen, or that stands for no choice, is none that the filter could work on.
+/// The chosen or default array is unusable.
 class WrongChoice : public InvalidInput
 {
 public:
@@ -32,8 +32,8 @@ using MakeFunction = std::function<void(vtkInformationVector** inputs, const Exe
 using MakeInPiecesFunction = std::function<std::string(
   const RanksOfPipeline& ranks, vtkInformationVector** inputs, const ExecutionContext& context)>;
 
-/// make() throws this where a filter inside of this one has reported its error already.
-class ToldFailure : public std::exception
+/// Thrown when an inner filter has reported its error.
+class ReportedFailure : public std::exception
 {
 public:
   const char* what() const noexcept override { return ""; }

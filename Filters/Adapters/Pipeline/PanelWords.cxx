@@ -44,7 +44,8 @@ std::string PanelTextOf(Remedy remedy)
     "Sharp Edges Weight",
     "Curvature Weight",
     "set Constraint Type to Soft",
-    "Rotation and Rotation Array have no effect; add what it shall follow, or set them to 0 and None",
+    "Rotation and Rotation Array have no effect, as the field follows nothing; choose Guides or Directions, or set "
+    "them to 0 and None",
     "Rotation",
     "Maximum Distance",
     "Maximum Source Distance",

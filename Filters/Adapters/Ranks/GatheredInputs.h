@@ -19,7 +19,7 @@ namespace dmg
 /// composite datasets, since ranks may have different leaves, and grids, of which a source makes any part.
 bool ComesInPieces(vtkInformationVector* port);
 
-/// The properties of a filter, as its PrintSelf says them, a line each; not its counts of what it did.
+/// The lines of PrintSelf, without counters.
 std::string PropertiesOf(vtkAlgorithm* algorithm);
 
 /// Collective. \throw InvalidInput ranks differ in PropertiesOf.

@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// The surface of a dataset as a mesh, and how it stands to its cells and points.
+/// A dataset's surface as a mesh, with the relation of its elements to cells and points.
 struct SurfaceMesh : SurfaceRelation
 {
   TriangleMesh Mesh;

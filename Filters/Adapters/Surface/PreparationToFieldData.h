@@ -24,7 +24,7 @@ void AddPositiveSide(const std::vector<PositiveSide>& sides, vtkFieldData* field
 /// drawn on the mesh that it was computed on.
 PreparationOptions PreparationOf(vtkDataSet* surface);
 
-/// Says as a warning of a filter which cells and points are other than they were given.
+/// Warns of cells and points that the repair changed.
 void WarnOfPreparation(vtkAlgorithm* algorithm, const PreparationReport& report);
 
 }

@@ -108,7 +108,7 @@ struct ElementDirection
 /// nothing was measured, and those whose vector is zero although the mask is not, are passed over.
 /// \param arrays found by FindArrays. \param whose the name of the dataset in messages.
 /// \param takesPart elements for which it is false are passed over, whatever they hold.
-/// \return the numbers of elements that are passed over for what they hold, and what is said of fill values.
+/// \return how many elements are skipped for their values, and what is reported of fill values.
 /// \throw InvalidInput a weight is negative or infinite; as SuspectedFillValues, of the vectors that are visited.
 UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* dataset, const std::string& whose,
   const DirectionReader& directionOf, const std::function<bool(vtkIdType)>& takesPart,

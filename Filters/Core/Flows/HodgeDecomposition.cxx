@@ -18,9 +18,9 @@ namespace
 {
 
 constexpr Complex QuarterTurn(0.0, 1.0);
-/// A larger share of the energy that parts have in common is said.
+/// Overlaps above this share of the energy are reported.
 constexpr double LargestOverlap = 1e-8;
-/// A larger share of caps in the area is said.
+/// Caps above this share of the area are reported.
 constexpr double LargestShareOfCaps = 0.1;
 
 std::string WarningOfCaps(const CapFaces& caps)

@@ -15,7 +15,7 @@ std::string TextOf(Remedy remedy)
     "FeatureOptions::SharpEdgesWeight",
     "FeatureOptions::CurvatureWeight",
     "set FieldOptions::Constraints to Soft",
-    "FieldProblem::Rotation has no effect; add what it shall follow, or set it to 0",
+    "FieldProblem::Rotation has no effect, as the field follows nothing; add Guides or Constraints, or set it to 0",
     "FieldProblem::Rotation",
     "Guides::MaximumDistance",
     "DistanceOptions::MaximumSourceDistance",

@@ -25,8 +25,8 @@ UnknownBlocks OrderedByColours(
 /// Multiplicative Schwarz with over-relaxation for A = B^T B + D, with D diagonal.
 ///
 /// A step solves for the unknowns of one block exactly, by the dense inverse of its part of A. That damps errors
-/// which point smoothers leave on thin triangles, whose three equations are nearly equal. Steps are over-relaxed, as
-/// small blocks know little of each other. Blocks on which D is not zero are not over-relaxed: over-relaxation would
+/// which point smoothers leave on thin triangles, whose three equations are nearly equal. Small blocks converge
+/// slowly, so steps are over-relaxed. Blocks on which D is not zero are not over-relaxed: over-relaxation would
 /// miss the exact solution of a strong penalty by 0.4 of the step, sweep by sweep.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A.

@@ -1,12 +1,12 @@
-#ifndef dmgToldMessages_h
-#define dmgToldMessages_h
+#ifndef dmgReportedMessages_h
+#define dmgReportedMessages_h
 
 #include <string>
 
 class vtkAlgorithm;
 class vtkInformationVector;
 
-/// Messages that the user has read already are not told again.
+/// Messages that the user has read already are not reported again.
 namespace dmg
 {
 
@@ -15,7 +15,8 @@ namespace dmg
 bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, const std::string& message);
 
 /// Adds a text to field data of the first output, and to VTK's log the first time that a filter of this class has it in this process.
-void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note);
+void ReportOnce(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note);
 
 }
 

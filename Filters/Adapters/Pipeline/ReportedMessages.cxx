@@ -1,4 +1,4 @@
-#include "Adapters/Pipeline/ToldMessages.h"
+#include "Adapters/Pipeline/ReportedMessages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -38,7 +38,8 @@ bool HasFailedBefore(vtkAlgorithm* algorithm, vtkInformationVector** inputs, con
   return false;
 }
 
-void TellOnce(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note)
+void ReportOnce(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& name, const std::string& note)
 {
   vtkNew<vtkStringArray> text;
   text->SetName(name.c_str());
