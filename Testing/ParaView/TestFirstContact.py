@@ -68,6 +68,11 @@ class FirstContact(unittest.TestCase):
         self.assertEqual(field.CurvatureWeight, 1)
         field.CurvatureWeight = 0
         self.assertEqual(field.FollowCurvature, 0)
+        for kind in (simple.DirectionalField, simple.HarmonicFieldSolver):
+            spread = kind(Input=sphere(), SpreadSingularities=1)
+            self.assertEqual(spread.UnitLengthWhileSmoothing, 1)
+            spread.UnitLengthWhileSmoothing = 0
+            self.assertEqual(spread.SpreadSingularities, 0)
         for surface, follows in ((sphere(), "nothing"), (simple.Box(), "sharp edges"), (simple.Disk(), "boundary"),
                                  (simple.Cylinder(Resolution=30), "sharp edges")):
             field = simple.DirectionalField(Input=surface)
