@@ -186,6 +186,14 @@ class FirstContact(unittest.TestCase):
         field.UpdatePropertyInformation()
         self.assertEqual(field.GetProperty("Followed").GetData(), "array 'Wind', boundary")
 
+    def test_bar_of_a_flow_has_a_unit(self):
+        flow = simple.Calculator(Input=sphere(), Function="coordsX * jHat - coordsY * iHat")
+        display = show(simple.HodgeDecomposition(Input=flow, Vectors=["POINTS", "Result"]))
+        simple.ColorBy(display, ("POINTS", "StreamFunction"))
+        display.SetScalarBarVisibility(simple.GetActiveView(), True)
+        bar = simple.GetScalarBar(display.LookupTable, simple.GetActiveView())
+        self.assertEqual((bar.Title, bar.LabelFormat), ("Stream function (speed \u00d7 length)", "%.3g"))
+
     def test_angles_have_cyclic_colours(self):
         field = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=2)
         angles = simple.FieldAngles(Input=field)
