@@ -28,9 +28,9 @@ class FirstContact(unittest.TestCase):
             simple.Delete(view)
 
     def test_directions_show_on_apply(self):
-        for kind in (simple.HarmonicFieldSolver, simple.PrincipalDirections):
+        for kind, shown in ((simple.HarmonicFieldSolver, "Field Lines"), (simple.PrincipalDirections, "Surface LIC")):
             display = show(kind(Input=simple.Transform(Input=sphere(), Transform="Transform")))
-            self.assertEqual(display.Representation, "Surface LIC", kind.__name__)
+            self.assertEqual(display.Representation, shown)
             self.assertIn(display.SelectInputVectors[1], ("Direction0", "MaximumDirection"))
 
     def test_kinds_of_fields_have_filters(self):
@@ -241,6 +241,7 @@ class FirstContact(unittest.TestCase):
         offered = show(sphere()).GetProperty("Representation").Available
         self.assertNotIn("Ink", offered)
         self.assertNotIn("Sign Colors", offered)
+        self.assertNotIn("Field Lines", offered)
         self.assertIn("Surface LIC", offered)
         field = simple.DirectionalField(Input=sphere())
         for port, kind in ((1, "Ink"), (2, "Sign Colors")):
