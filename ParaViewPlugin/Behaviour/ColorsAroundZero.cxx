@@ -4,6 +4,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionProxy.h"
 
@@ -12,7 +14,9 @@
 #include <cstdlib>
 #include <iomanip>
 #include <locale>
+#include <set>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -54,6 +58,37 @@ void AfterUpdate(vtkObject* caller, unsigned long, void* data, void*)
     function->SetAnnotation(Half, text.str().c_str());
   }
 }
+
+// All colours whose bars have titles, of a session after the other.
+std::set<const ColorsAroundZero*>& WithTitles()
+{
+  static std::set<const ColorsAroundZero*> colors;
+  return colors;
+}
+
+void AfterRegistration(vtkObject* proxies, unsigned long, void*, void* registered)
+{
+  const auto& added = *static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(registered);
+  if (std::string(added.GroupName) != "scalar_bars" || !added.Proxy)
+  {
+    return;
+  }
+  vtkSMProxy* const function = vtkSMPropertyHelper(added.Proxy, "LookupTable", true).GetAsProxy();
+  const char* const found = vtkSMSessionProxyManager::SafeDownCast(proxies)->GetProxyName("lookup_tables", function);
+  const std::string name = found ? found : "";
+  for (const ColorsAroundZero* const colors : WithTitles())
+  {
+    if (name == colors->Array + std::string(".PVLookupTable"))
+    {
+      vtkSMPropertyHelper(added.Proxy, "Title").Set(colors->BarTitle);
+      vtkSMPropertyHelper(added.Proxy, "ComponentTitle").Set("");
+      vtkSMPropertyHelper(added.Proxy, "AutomaticLabelFormat").Set(0);
+      vtkSMPropertyHelper(added.Proxy, "LabelFormat").Set(colors->BarNumbers);
+      vtkSMPropertyHelper(added.Proxy, "RangeLabelFormat").Set(colors->BarNumbers);
+      added.Proxy->UpdateVTKObjects();
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -81,4 +116,9 @@ void FitColorsAroundZero(vtkSMProxy* filter, const ColorsAroundZero& colors)
   after->SetCallback(AfterUpdate);
   after->SetClientData(const_cast<ColorsAroundZero*>(&colors));
   filter->AddObserver(vtkCommand::UpdateDataEvent, after);
+  WithTitles().insert(&colors);
+  static const vtkNew<vtkCallbackCommand> afterRegistration; // for all filters of a session
+  afterRegistration->SetCallback(AfterRegistration);
+  filter->GetSessionProxyManager()->RemoveObserver(afterRegistration);
+  filter->GetSessionProxyManager()->AddObserver(vtkCommand::RegisterEvent, afterRegistration);
 }

@@ -2,6 +2,7 @@
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
+#include "vtkFieldLinesRepresentation.h"
 #include "vtkSMCenteredColorsInitializationHelper.h"
 #include "vtkSMChosenPointInitializationHelper.h"
 #include "vtkSMConvergenceChartInitializationHelper.h"
@@ -35,5 +36,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMSequentialColorsInitializationHelper>(interpreter, "vtkSMSequentialColorsInitializationHelper");
       Register<vtkSMHiddenDrawingsInitializationHelper>(interpreter, "vtkSMHiddenDrawingsInitializationHelper");
       Register<vtkSMSpectrumChartInitializationHelper>(interpreter, "vtkSMSpectrumChartInitializationHelper");
+      vtkFieldLinesRepresentation::Register(interpreter);
     });
 }

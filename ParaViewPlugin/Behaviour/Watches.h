@@ -44,7 +44,7 @@ void WatchDeletedInputs(vtkSMProxy* filter);
 void WatchChosenPoint(vtkSMProxy* filter);
 
 /// "CenteredColors". The colours of StreamFunction span the interval around zero that all updates of this filter have needed so far, unless
-/// somebody changes it.
+/// somebody changes it. Their bar has a title with the unit, and numbers of three digits.
 void WatchCenteredColors(vtkSMProxy* filter);
 
 /// "CyclicColors". The colours of Angle span the property Period around zero, unless somebody changes the interval. Their bar has a title with

@@ -24,7 +24,8 @@ double LargestMagnitude(vtkSMSourceProxy* filter)
   return range ? std::max(std::abs(range[0]), std::abs(range[1])) : 0.0;
 }
 
-constexpr ColorsAroundZero Centered = { Array, nullptr, LargestMagnitude, true };
+constexpr ColorsAroundZero Centered = { Array, nullptr, LargestMagnitude, true, "Stream function (speed \u00d7 length)",
+  "%.3g" };
 }
 
 //------------------------------------------------------------------------------

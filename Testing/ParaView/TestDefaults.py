@@ -95,7 +95,7 @@ class Defaults(unittest.TestCase):
                     weight = element.find(f"*[@name='{child.find('Hints/Switches').get('property')}']")
                     self.assertEqual(int(child.get("default_values")), float(weight.get("default_values")) > 0)
                     boxes += 1
-        self.assertEqual(boxes, 3)
+        self.assertEqual(boxes, 5)
 
     def test_ranges_agree(self):
         """C++ takes the values at the ends of a range, and refuses those beyond by one error that says which.

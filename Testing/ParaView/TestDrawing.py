@@ -137,7 +137,7 @@ class Drawing(unittest.TestCase):
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_apply_shows_them(self):
         view = simple.CreateRenderView(ViewSize=[500, 500])
-        simple.Show(self.field, view)
+        simple.Show(self.field, view).Representation = "Surface"
         singular = vtk_to_numpy(fetch(simple.FieldSingularities(Input=self.field)).GetPoints().GetData())
         view.CameraPosition = 3 * singular[0].astype(float)
         plain = self.colours(view)
@@ -174,7 +174,7 @@ class Drawing(unittest.TestCase):
     def test_lines_do_not_break_into_dashes(self):
         """As much is seen of them as off the surface, also near the silhouette, and nothing from behind."""
         view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
-        simple.Show(self.field, view)
+        simple.Show(self.field, view).Representation = "Surface"
         lines = simple.FieldLines(Input=self.field)
         simple.Show(lines, view)
         blue = 2
@@ -331,7 +331,8 @@ class Drawing(unittest.TestCase):
         display = simple.Show(field, view)
         if "Surface LIC" not in display.GetProperty("Representation").Available:
             self.skipTest("ParaView has no Surface LIC here")
-        stripes = self.brightness(view)  # as it shows on Apply
+        display.Representation = "Surface LIC"
+        stripes = self.brightness(view)
         display.Representation = "Surface"
         flat = self.brightness(view)
         x, y = 0, 1
@@ -342,6 +343,39 @@ class Drawing(unittest.TestCase):
         changes = [np.abs(np.diff(stripes, axis=1 - axis)).mean() for axis in (along, across)]
         self.assertGreater(changes[1], 2 * changes[0])
         simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_the_solver_shows_lines(self):
+        """What has the colour of ink is there as long as the surface shows so, along all directions, on blocks, too, and where it is moved."""
+        surface = simple.Triangulate(Input=simple.Plane(XResolution=40, YResolution=40))
+        field = simple.HarmonicFieldSolver(Input=surface, BoundaryWeight=1)
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
+        display = simple.Show(field, view)
+        simple.ResetCamera(view)
+        self.assertEqual(display.Representation, "Field Lines")
+        of_crosses = self.ink(view)
+        self.assertGreater(of_crosses, 5000)
+        for change, back in (("Surface", "Field Lines"), (0, 1)):
+            for value, shows in ((change, False), (back, True)):
+                setattr(display, "Representation" if isinstance(value, str) else "Visibility", value)
+                self.assertEqual(self.ink(view), of_crosses if shows else 0, value)
+        display.LineDistance = 0.03
+        self.assertLess(abs(self.ink(view) / of_crosses - 0.5), 0.1)
+        display.LineDistance = 0.015
+        field.NumberOfDirections = 2
+        self.assertLess(abs(self.ink(view) / of_crosses - 0.5), 0.1)
+        display.Position = [9, 0, 0]
+        self.assertEqual(self.ink(view), 0)
+        simple.ResetCamera(view)
+        self.assertLess(abs(self.ink(view) / of_crosses - 0.5), 0.1)
+        display.Position = [0, 0, 0]
+        field.Input = simple.GroupDatasets(Input=[surface, simple.Transform(Input=surface, Transform="Transform")])
+        simple.ResetCamera(view)
+        self.assertLess(abs(self.ink(view) / of_crosses - 0.5), 0.1)
+        simple.Delete(view)
+
+    def ink(self, view):
+        return (np.abs(self.colours(view).astype(int) - (26, 51, 153)).max(axis=1) < 40).sum()
 
     def brightness(self, view):
         """In the middle of the picture, rows from below."""

@@ -28,9 +28,9 @@ class FirstContact(unittest.TestCase):
             simple.Delete(view)
 
     def test_directions_show_on_apply(self):
-        for kind in (simple.HarmonicFieldSolver, simple.PrincipalDirections):
+        for kind, shown in ((simple.HarmonicFieldSolver, "Field Lines"), (simple.PrincipalDirections, "Surface LIC")):
             display = show(kind(Input=simple.Transform(Input=sphere(), Transform="Transform")))
-            self.assertEqual(display.Representation, "Surface LIC", kind.__name__)
+            self.assertEqual(display.Representation, shown)
             self.assertIn(display.SelectInputVectors[1], ("Direction0", "MaximumDirection"))
 
     def test_kinds_of_fields_have_filters(self):
@@ -68,6 +68,11 @@ class FirstContact(unittest.TestCase):
         self.assertEqual(field.CurvatureWeight, 1)
         field.CurvatureWeight = 0
         self.assertEqual(field.FollowCurvature, 0)
+        for kind in (simple.DirectionalField, simple.HarmonicFieldSolver):
+            spread = kind(Input=sphere(), SpreadSingularities=1)
+            self.assertEqual(spread.UnitLengthWhileSmoothing, 1)
+            spread.UnitLengthWhileSmoothing = 0
+            self.assertEqual(spread.SpreadSingularities, 0)
         for surface, follows in ((sphere(), "nothing"), (simple.Box(), "sharp edges"), (simple.Disk(), "boundary"),
                                  (simple.Cylinder(Resolution=30), "sharp edges")):
             field = simple.DirectionalField(Input=surface)
@@ -181,6 +186,14 @@ class FirstContact(unittest.TestCase):
         field.UpdatePropertyInformation()
         self.assertEqual(field.GetProperty("Followed").GetData(), "array 'Wind', boundary")
 
+    def test_bar_of_a_flow_has_a_unit(self):
+        flow = simple.Calculator(Input=sphere(), Function="coordsX * jHat - coordsY * iHat")
+        display = show(simple.HodgeDecomposition(Input=flow, Vectors=["POINTS", "Result"]))
+        simple.ColorBy(display, ("POINTS", "StreamFunction"))
+        display.SetScalarBarVisibility(simple.GetActiveView(), True)
+        bar = simple.GetScalarBar(display.LookupTable, simple.GetActiveView())
+        self.assertEqual((bar.Title, bar.LabelFormat), ("Stream function (speed \u00d7 length)", "%.3g"))
+
     def test_angles_have_cyclic_colours(self):
         field = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=2)
         angles = simple.FieldAngles(Input=field)
@@ -228,6 +241,7 @@ class FirstContact(unittest.TestCase):
         offered = show(sphere()).GetProperty("Representation").Available
         self.assertNotIn("Ink", offered)
         self.assertNotIn("Sign Colors", offered)
+        self.assertNotIn("Field Lines", offered)
         self.assertIn("Surface LIC", offered)
         field = simple.DirectionalField(Input=sphere())
         for port, kind in ((1, "Ink"), (2, "Sign Colors")):
