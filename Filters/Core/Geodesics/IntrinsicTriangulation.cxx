@@ -157,33 +157,25 @@ bool IntrinsicTriangulation::HasOtherDiagonal(int halfedge) const
     this->CornerAngle(TriangleMesh::Next(halfedge)) + this->CornerAngle(twin) < Pi;
 }
 
-std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
+double IntrinsicTriangulation::OtherDiagonal(int halfedge) const
 {
-  const int twin = this->Twin(halfedge);
-  const int f = 3 * TriangleMesh::FaceOf(halfedge);
-  const int g = 3 * TriangleMesh::FaceOf(twin);
-  // The faces abc and bad of edge ab become cad and dbc.
-  const std::array<int, 4> from = { TriangleMesh::Previous(halfedge), TriangleMesh::Next(twin),
-    TriangleMesh::Previous(twin), TriangleMesh::Next(halfedge) }; // ca, ad, db, bc
-  const std::array<int, 4> to = { f, f + 1, g, g + 1 };
-  const double ac = this->Length(from[0]);
-  const double ad = this->Length(from[1]);
-  const double halfOfAngle = 0.5 * (this->CornerAngle(halfedge) + this->CornerAngle(from[1]));
-  const double length = std::hypot((ac - ad) * std::cos(halfOfAngle), (ac + ad) * std::sin(halfOfAngle));
+  const int beside = TriangleMesh::Next(this->Twin(halfedge));
+  const double ac = this->Length(TriangleMesh::Previous(halfedge));
+  const double ad = this->Length(beside);
+  const double halfOfAngle = 0.5 * (this->CornerAngle(halfedge) + this->CornerAngle(beside));
+  return std::hypot((ac - ad) * std::cos(halfOfAngle), (ac + ad) * std::sin(halfOfAngle));
+}
 
-  struct Side
-  {
-    int Tail;
-    int Twin;
-    double Length;
-    double Direction;
-    bool IsHeld;
-  };
-  std::array<Side, 4> sides;
+void IntrinsicTriangulation::Permute(const std::array<int, 4>& from, const std::array<int, 4>& to)
+{
+  std::array<Side, 4> sides{};
+  std::array<int, 4> twins{};
+  std::array<char, 4> held{};
   for (int k = 0; k < 4; ++k)
   {
-    sides[k] = { this->Tails[from[k]], this->Twins[from[k]], this->Lengths[from[k]], this->Directions[from[k]],
-      this->IsHeld(from[k]) };
+    sides[k] = { this->Tails[from[k]], this->Lengths[from[k]], this->Directions[from[k]] };
+    twins[k] = this->Twins[from[k]];
+    held[k] = this->IsHeld(from[k]) ? 1 : 0;
   }
   const auto placeOf = [&](int h)
   {
@@ -192,33 +184,36 @@ std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
   };
   for (int k = 0; k < 4; ++k)
   {
-    this->Tails[to[k]] = sides[k].Tail;
-    this->Lengths[to[k]] = sides[k].Length;
-    this->Directions[to[k]] = sides[k].Direction;
+    this->Set(to[k], sides[k]);
+    this->Join(to[k], placeOf(twins[k]));
     if (!this->Held.empty())
     {
-      this->Held[to[k]] = sides[k].IsHeld ? 1 : 0;
-    }
-    this->Twins[to[k]] = placeOf(sides[k].Twin);
-    if (sides[k].Twin >= 0)
-    {
-      this->Twins[placeOf(sides[k].Twin)] = to[k];
+      this->Held[to[k]] = held[k];
     }
   }
-  const int c = sides[0].Tail;
-  const int d = sides[2].Tail;
-  this->Tails[f + 2] = d;
-  this->Tails[g + 2] = c;
-  this->Lengths[f + 2] = this->Lengths[g + 2] = length;
+}
+
+std::array<int, 4> IntrinsicTriangulation::Flip(int halfedge)
+{
+  const int twin = this->Twin(halfedge);
+  const int f = 3 * TriangleMesh::FaceOf(halfedge);
+  const int g = 3 * TriangleMesh::FaceOf(twin);
+  const double length = this->OtherDiagonal(halfedge);
+  // The faces abc and bad of edge ab become cad and dbc.
+  const std::array<int, 4> sides = { f, f + 1, g, g + 1 }; // ca, ad, db, bc
+  this->Permute({ TriangleMesh::Previous(halfedge), TriangleMesh::Next(twin), TriangleMesh::Previous(twin),
+                  TriangleMesh::Next(halfedge) },
+    sides);
+  const int c = this->Tails[f], d = this->Tails[g];
+  this->Lengths[f + 2] = this->Lengths[g + 2] = length; // which the angles of both faces need
+  this->Set(f + 2, { d, length, this->Directions[g] + this->Stretches[d] * this->CornerAngle(g) });
+  this->Set(g + 2, { c, length, this->Directions[f] + this->Stretches[c] * this->CornerAngle(f) });
+  this->Join(f + 2, g + 2);
   if (!this->Held.empty())
   {
     this->Held[f + 2] = this->Held[g + 2] = 0;
   }
-  this->Twins[f + 2] = g + 2;
-  this->Twins[g + 2] = f + 2;
-  this->Directions[g + 2] = this->Directions[f] + this->Stretches[c] * this->CornerAngle(f);
-  this->Directions[f + 2] = this->Directions[g] + this->Stretches[d] * this->CornerAngle(g);
-  return to;
+  return sides;
 }
 
 double IntrinsicTriangulation::Arrival(int halfedge) const

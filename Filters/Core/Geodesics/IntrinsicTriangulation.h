@@ -99,6 +99,10 @@ private:
   void AddFaces(int number);
   /// A side takes another number.
   void Move(int from, int to);
+  /// Four sides take each other's numbers, or free ones.
+  void Permute(const std::array<int, 4>& from, const std::array<int, 4>& to);
+  /// The length of the other diagonal of the two faces of an edge.
+  double OtherDiagonal(int halfedge) const;
   void SetLengths(const TriangleMesh& mesh);
   void SetDirections(const TriangleMesh& mesh, const VertexConnection& connection);
   void MakeDelaunay(const ExecutionContext& context);

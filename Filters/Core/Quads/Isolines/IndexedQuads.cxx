@@ -187,18 +187,74 @@ IndexedQuads QuadsOfCells(const IsolineArrangement& isolines, const IsolineCells
   return quads;
 }
 
+namespace
+{
+
+int TailOf(const IndexedQuads& quads, int side)
+{
+  return quads.Corners[side / 4][side % 4];
+}
+
+int HeadOf(const IndexedQuads& quads, int side)
+{
+  return quads.Corners[side / 4][(side + 1) % 4];
+}
+
+/// The number of fans of quads around each vertex: from side to side around it, of open ones from the boundary on.
+std::vector<int> FansAround(const IndexedQuads& quads, const std::vector<int>& twins)
+{
+  std::vector<int> fans(quads.NumberOfVertices(), 0);
+  std::vector<char> isVisited(twins.size(), 0);
+  const auto visitFan = [&](int first)
+  {
+    for (int side = first; side >= 0 && !isVisited[side];)
+    {
+      isVisited[side] = 1;
+      side = twins[side - side % 4 + (side + 3) % 4];
+    }
+    ++fans[TailOf(quads, first)];
+  };
+  for (const bool fromBoundary : { true, false })
+  {
+    for (int side = 0; side < 4 * quads.Size(); ++side)
+    {
+      if (!isVisited[side] && (!fromBoundary || twins[side] < 0))
+      {
+        visitFan(side);
+      }
+    }
+  }
+  return fans;
+}
+
+}
+
 QuadTopology::QuadTopology(const IndexedQuads& quads)
   : Twins(4 * quads.Size(), -1)
   , Valences(quads.NumberOfVertices(), 0)
-  , Fans(quads.NumberOfVertices(), 0)
 {
-  const auto tail = [&quads](int side) { return quads.Corners[side / 4][side % 4]; };
-  const auto head = [&quads](int side) { return quads.Corners[side / 4][(side + 1) % 4]; };
+  for (int q = 0; q < quads.Size(); ++q)
+  {
+    for (const int vertex : quads.Corners[q])
+    {
+      ++this->Valences[vertex];
+    }
+    if (HasVertexTwice(quads.Corners[q]))
+    {
+      this->TwiceInQuad.push_back(q);
+    }
+  }
+  this->PairSides(quads);
+  this->Fans = FansAround(quads, this->Twins);
+}
+
+void QuadTopology::PairSides(const IndexedQuads& quads)
+{
   std::vector<std::array<int, 3>> sides; // by the vertices of their edges
   for (int side = 0; side < 4 * quads.Size(); ++side)
   {
-    ++this->Valences[tail(side)];
-    sides.push_back({ std::min(tail(side), head(side)), std::max(tail(side), head(side)), side });
+    const int tail = TailOf(quads, side), head = HeadOf(quads, side);
+    sides.push_back({ std::min(tail, head), std::max(tail, head), side });
   }
   std::sort(sides.begin(), sides.end());
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
@@ -206,9 +262,9 @@ QuadTopology::QuadTopology(const IndexedQuads& quads)
     std::array<int, 2> seen{ -1, -1 }; // one side in each direction
     for (; last < sides.size() && sides[last][0] == sides[first][0] && sides[last][1] == sides[first][1]; ++last)
     {
-      const int side = sides[last][2];
-      int& same = seen[tail(side) < head(side) ? 0 : 1];
-      if (same >= 0 || tail(side) == head(side))
+      const int side = sides[last][2], tail = TailOf(quads, side), head = HeadOf(quads, side);
+      int& same = seen[tail < head ? 0 : 1];
+      if (same >= 0 || tail == head)
       {
         this->Repeated.push_back(side);
       }
@@ -219,33 +275,6 @@ QuadTopology::QuadTopology(const IndexedQuads& quads)
     {
       this->Twins[seen[0]] = seen[1];
       this->Twins[seen[1]] = seen[0];
-    }
-  }
-  std::vector<char> isVisited(4 * quads.Size(), 0);
-  const auto visitFan = [&](int first)
-  {
-    for (int side = first; side >= 0 && !isVisited[side];)
-    {
-      isVisited[side] = 1;
-      side = this->Twins[side - side % 4 + (side + 3) % 4];
-    }
-    ++this->Fans[tail(first)];
-  };
-  for (const bool fromBoundary : { true, false })
-  {
-    for (int side = 0; side < 4 * quads.Size(); ++side)
-    {
-      if (!isVisited[side] && (!fromBoundary || this->Twins[side] < 0))
-      {
-        visitFan(side);
-      }
-    }
-  }
-  for (int q = 0; q < quads.Size(); ++q)
-  {
-    if (HasVertexTwice(quads.Corners[q]))
-    {
-      this->TwiceInQuad.push_back(q);
     }
   }
 }

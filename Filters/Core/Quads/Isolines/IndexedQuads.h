@@ -35,6 +35,9 @@ struct QuadTopology
   std::vector<int> Fans;        ///< by vertex: the number of sets of quads around it, joined by sides
   std::vector<int> TwiceInQuad; ///< quads that have a vertex twice
   int NumberOfEdges = 0;
+
+private:
+  void PairSides(const IndexedQuads& quads);
 };
 
 /// Removes what folds of the map leave behind, and keeps the Euler number: doublets, two quads that share two sides, become one quad;
