@@ -2,7 +2,8 @@
  * @class   vtkHarmonicFieldSolver
  * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
- * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4). This filter represents it by unknowns X, one of Discretisations, and minimises
+ * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4), hexagonal
+ * fields (6). This filter represents it by unknowns X, one of Discretisations, and minimises
  *
  *   smoothness energy(X) + Alignment * sum over prescribed elements b of w_b m_b |X_b - Y_b|^2.
  *
