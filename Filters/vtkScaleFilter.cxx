@@ -251,7 +251,7 @@ int vtkScaleFilter::RequestData(
     dmg::WarnOfPreparation(this, view.Repair());
     view.StartOutput(vtkDataSet::GetData(outputVector, 0), this->GetClassName());
     dmg::Warn(this,
-      surface.Filter(quantities, this->Internals->OptionsOf(*this), view, vtkTable::GetData(outputVector, 1),
+      dmg::AddScales(surface, quantities, this->Internals->OptionsOf(*this), view, vtkTable::GetData(outputVector, 1),
         dmg::PartOfContext(context, 0.1, 1.0)));
     dmg::Warn(this, { dmg::WarningOfFoldedBox(view.Mesh()) });
     dmg::Warn(this, view.Warnings());

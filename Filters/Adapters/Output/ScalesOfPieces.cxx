@@ -180,7 +180,7 @@ std::string ScalesOfPieces::Filter(vtkAlgorithm* filter, const FindFunction& fin
     });
   vtkTable* const spectrum = vtkTable::GetData(outputs, 1);
   std::vector<std::string> warnings =
-    this->Scales.Filter(std::move(read), options, view, spectrum, PartOfContext(context, 0.2, 1.0));
+    AddScales(this->Scales, std::move(read), options, view, spectrum, PartOfContext(context, 0.2, 1.0));
   if (ranks.Rank() > 0)
   {
     spectrum->Initialize();

@@ -44,10 +44,8 @@ double Rounded(double x)
   return std::stod(ShortText(std::round(x / unit) * unit));
 }
 
-}
-
-/// One call of ScaleSurface::Filter.
-class ScaleSurface::Run
+/// One call of AddScales.
+class Run
 {
 public:
   Run(ScaleSurface& of, const ScaleOptions& options, const SurfaceView& view, const SurfaceSizes& sizes,
@@ -61,7 +59,7 @@ public:
   {
     if (this->Options.Wavelengths.empty())
     {
-      const bool varies = !of.Given.RelativeWavelengths.empty();
+      const bool varies = !of.Given().RelativeWavelengths.empty();
       this->Options.Wavelengths = {
         varies ? 1.0 : Rounded(CellsOfDefault * this->UnitOfWavelengths() * this->Sizes.MeanEdge)
       };
@@ -103,12 +101,12 @@ private:
   bool HaveConverged = true;
 };
 
-Vector<Complex> ScaleSurface::Run::AtVertices(const Vector<Complex>& onFaces) const
+Vector<Complex> Run::AtVertices(const Vector<Complex>& onFaces) const
 {
-  return PowersAtVertices(this->On.Mesh, this->Of.CornersOfFaces, onFaces, 1, this->Context);
+  return this->Of.AtVertices(onFaces, this->Context);
 }
 
-void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionContext& context)
+void Run::Read(const QuantityArrays& quantities, const ExecutionContext& context)
 {
   for (const ChosenArray& array : quantities.Functions)
   {
@@ -140,7 +138,7 @@ void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionCo
     {
       this->Of.OfFlows(PartOfContext(part, 0.1, 0.5)); // which shares its set-up
       flow.Parts =
-        this->Of.Decomposition->Decompose(onFaces, {}, { 1e-11, MostIterations }, PartOfContext(part, 0.5, 1.0));
+        this->Of.Decomposition().Decompose(onFaces, {}, { 1e-11, MostIterations }, PartOfContext(part, 0.5, 1.0));
       this->Warnings.insert(this->Warnings.end(), flow.Parts.Warnings.begin(), flow.Parts.Warnings.end());
       this->HaveConverged &= flow.Parts.Converged;
     }
@@ -148,33 +146,33 @@ void ScaleSurface::Run::Read(const QuantityArrays& quantities, const ExecutionCo
   }
 }
 
-void ScaleSurface::Run::Take(const SolveReport& report)
+void Run::Take(const SolveReport& report)
 {
-  ++this->Of.CountsOfStages.Splits;
+  this->Of.CountSplits(1);
   this->HaveConverged &= report.Converged || report.EndedByRounding;
   this->Iterations.push_back(report.Iterations.empty() ? 0 : report.Iterations.back().Iteration);
   this->Warnings.insert(this->Warnings.end(), report.Warnings.begin(), report.Warnings.end());
 }
 
-double ScaleSurface::Run::UnitOfWavelengths() const
+double Run::UnitOfWavelengths() const
 {
-  std::vector<double> relative = this->Of.Given.RelativeWavelengths;
+  std::vector<double> relative = this->Of.Given().RelativeWavelengths;
   if (relative.empty())
   {
-    return this->Of.Given.LengthScale;
+    return this->Of.Given().LengthScale;
   }
   const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
   std::nth_element(relative.begin(), middle, relative.end());
-  return this->Of.Given.LengthScale / *middle;
+  return this->Of.Given().LengthScale / *middle;
 }
 
-void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context)
+void Run::AddFunction(const ReadFunction& function, double wavelength, const ExecutionContext& context)
 {
   ScaleFilter& scales = this->Of.OfFunctions(SetupPart(context));
   const SplitScales split = scales.Split(function.AtVertices, wavelength, this->Stop(), SolvePart(context));
-  this->Take(this->Of.Functions->Report());
-  this->MeansBefore.push_back(this->Of.Functions->Mean(function.AtVertices));
-  this->MeansAfter.push_back(this->Of.Functions->Mean(split.Below));
+  this->Take(scales.Report());
+  this->MeansBefore.push_back(scales.Mean(function.AtVertices));
+  this->MeansAfter.push_back(scales.Mean(split.Below));
   const std::string below = ArrayNames::BelowWavelength(function.Name, ShortText(wavelength));
   const std::string above = ArrayNames::AboveWavelength(function.Name, ShortText(wavelength));
   if (function.IsOnPoints)
@@ -189,7 +187,7 @@ void ScaleSurface::Run::AddFunction(const ReadFunction& function, double wavelen
   this->View.OfCells(this->Context).Add(above, 1, rest.data());
 }
 
-void ScaleSurface::Run::WriteFlow(const ReadFlow& flow, const std::string& at, const Vector<Complex>& below) const
+void Run::WriteFlow(const ReadFlow& flow, const std::string& at, const Vector<Complex>& below) const
 {
   const Vector<Complex> above = flow.Given - below;
   const auto write = [&](const std::string& name, const Vector<Complex>& field)
@@ -207,7 +205,7 @@ void ScaleSurface::Run::WriteFlow(const ReadFlow& flow, const std::string& at, c
   write(ArrayNames::AboveWavelength(flow.Name, at), above);
 }
 
-void ScaleSurface::Run::WritePart(const ReadFlow& flow, const std::string& name, const Vector<Complex>& onFaces) const
+void Run::WritePart(const ReadFlow& flow, const std::string& name, const Vector<Complex>& onFaces) const
 {
   if (flow.IsOnPoints)
   {
@@ -219,7 +217,7 @@ void ScaleSurface::Run::WritePart(const ReadFlow& flow, const std::string& name,
   }
 }
 
-void ScaleSurface::Run::AddFlow(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
+void Run::AddFlow(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
 {
   FlowScales& scales = this->Of.OfFlows(SetupPart(context));
   const SplitFlow split = scales.Split(flow.Parts, wavelength, this->Stop(), SolvePart(context));
@@ -234,11 +232,11 @@ void ScaleSurface::Run::AddFlow(const ReadFlow& flow, double wavelength, const E
   }
 }
 
-void ScaleSurface::Run::AddVectors(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
+void Run::AddVectors(const ReadFlow& flow, double wavelength, const ExecutionContext& context)
 {
   ScaleFilter& scales = this->Of.OfVectors(SetupPart(context));
   const SplitScales split = scales.Split(flow.AtVertices, wavelength, this->Stop(), SolvePart(context));
-  this->Take(this->Of.Vectors->Report());
+  this->Take(scales.Report());
   const Vector<Complex> below = AsComplex(split.Below);
   if (flow.IsOnPoints)
   {
@@ -259,7 +257,7 @@ void ScaleSurface::Run::AddVectors(const ReadFlow& flow, double wavelength, cons
   this->WriteFlow(flow, ShortText(wavelength), onFaces);
 }
 
-void ScaleSurface::Run::AddWavelength(double wavelength, const ExecutionContext& context)
+void Run::AddWavelength(double wavelength, const ExecutionContext& context)
 {
   const double step = 1.0 / static_cast<double>(this->Functions.size() + this->Flows.size());
   double done = 0.0;
@@ -276,7 +274,7 @@ void ScaleSurface::Run::AddWavelength(double wavelength, const ExecutionContext&
   }
 }
 
-void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& context)
+void Run::AddSpectra(vtkTable* table, const ExecutionContext& context)
 {
   const double scale = this->UnitOfWavelengths();
   const double from =
@@ -298,7 +296,7 @@ void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& cont
     {
       rows.Add(all[k].Name, spectra[k]);
     }
-    this->Of.CountsOfStages.Splits += static_cast<int>(all.size() * bounds.size());
+    this->Of.CountSplits(static_cast<int>(all.size() * bounds.size()));
   };
   if (!this->Functions.empty())
   {
@@ -323,11 +321,11 @@ void ScaleSurface::Run::AddSpectra(vtkTable* table, const ExecutionContext& cont
     rows.Add(flow.Name + " divergent", spectra.Gradient);
     rows.Add(flow.Name + " rotational", spectra.Rotational);
     rows.AddHarmonic(flow.Name, flow.Parts.HarmonicEnergy);
-    this->Of.CountsOfStages.Splits += static_cast<int>(2 * bounds.size());
+    this->Of.CountSplits(static_cast<int>(2 * bounds.size()));
   }
 }
 
-void ScaleSurface::Run::AddReport() const
+void Run::AddReport() const
 {
   vtkDataSet* const output = this->View.Output();
   vtkFieldData* const data = output->GetFieldData();
@@ -358,112 +356,7 @@ void ScaleSurface::Run::AddReport() const
   }
 }
 
-void ScaleSurface::SetSurface(
-  const std::shared_ptr<const PreparedDataSet>& surface, const Settings& settings, const ExecutionContext& context)
-{
-  if (this->Prepared == surface && this->Given.IsEqual(settings) && this->Decomposition)
-  {
-    return;
-  }
-  if (this->OfOthers)
-  {
-    this->Forget();
-  }
-  this->Functions.reset();
-  this->Vectors.reset();
-  this->Flows.reset();
-  const bool isSameSurface = this->Prepared == surface && this->Decomposition &&
-    this->Given.IsGlobe == settings.IsGlobe && this->Given.Solver == settings.Solver;
-  if (!isSameSurface)
-  {
-    const FramedMesh& on = surface->Geometry;
-    auto corners = Corners(on.Mesh, SideDirections(on.Mesh, on.Faces, context), on.Faces, on.Vertices, context);
-    this->Decomposition.reset();
-    this->Prepared = surface;
-    this->CornersOfFaces = std::move(corners);
-    SolverOptions solver;
-    solver.Kind = settings.Solver;
-    this->Decomposition.emplace(on, settings.Boundary, solver, settings.IsGlobe);
-  }
-  this->Decomposition->SetBoundary(settings.Boundary);
-  this->Given = settings;
-}
-
-ScaleFilterOptions ScaleSurface::OptionsOf(ScaledQuantity quantity) const
-{
-  ScaleFilterOptions options;
-  options.Quantity = quantity;
-  options.Order = this->Given.Order;
-  options.LengthScale = this->Given.LengthScale;
-  options.Solver.Kind = this->Given.Solver;
-  options.RelativeWavelengths = this->Given.RelativeWavelengths;
-  return options;
-}
-
-void ScaleSurface::SetFilters(const FramedMesh& surface, const Settings& settings, MakeFilter make)
-{
-  if (!this->OfOthers || !this->Given.IsEqual(settings))
-  {
-    this->Forget();
-    this->OfOthers = &surface;
-    this->Make = std::move(make);
-    this->Given = settings;
-  }
-}
-
-void ScaleSurface::Forget()
-{
-  this->Functions.reset();
-  this->Vectors.reset();
-  this->Flows.reset();
-  this->Decomposition.reset();
-  this->Prepared.reset();
-  this->Make = nullptr;
-  this->OfOthers = nullptr;
-}
-
-ScaleFilter& ScaleSurface::Take(
-  std::optional<ScaleFilter>& filter, ScaledQuantity quantity, const ExecutionContext& context)
-{
-  if (!filter)
-  {
-    const ScaleFilterOptions options = this->OptionsOf(quantity);
-    filter.emplace(
-      this->Make ? this->Make(options, context) : ScaleFilter(this->Decomposition->Setups(), options, context));
-    this->CountsOfStages.Setups += filter->HasNewSetup() ? 1 : 0;
-  }
-  return *filter;
-}
-
-FlowScales& ScaleSurface::OfFlows(const ExecutionContext& context)
-{
-  if (!this->Flows)
-  {
-    this->Flows.emplace(*this->Decomposition, this->OptionsOf(ScaledQuantity::Function), context);
-    this->CountsOfStages.Setups += this->Flows->HasNewSetup() ? 1 : 0;
-  }
-  return *this->Flows;
-}
-
-std::vector<std::string> ScaleSurface::Filter(const QuantityArrays& quantities, const ScaleOptions& options,
-  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
-{
-  Run run(*this, options, view, SizesOf(this->On().Mesh), context);
-  run.Read(quantities, PartOfContext(context, 0.0, 0.2));
-  return Finish(run, options, spectrum, PartOfContext(context, 0.2, 1.0));
-}
-
-std::vector<std::string> ScaleSurface::Filter(ReadQuantities quantities, const ScaleOptions& options,
-  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
-{
-  ScaleFilter& any = quantities.Functions.empty() ? this->OfVectors(context) : this->OfFunctions(context);
-  Run run(*this, options, view, any.Sizes(), context);
-  run.Functions = std::move(quantities.Functions);
-  run.Flows = std::move(quantities.Flows);
-  return Finish(run, options, spectrum, context);
-}
-
-std::vector<std::string> ScaleSurface::Finish(
+std::vector<std::string> Finish(
   Run& run, const ScaleOptions& options, vtkTable* spectrum, const ExecutionContext& context)
 {
   const double end = options.HasSpectrum ? 0.4 : 1.0;
@@ -481,6 +374,26 @@ std::vector<std::string> ScaleSurface::Finish(
   run.AddReport();
   context.Checkpoint(1.0);
   return run.Warnings;
+}
+
+}
+
+std::vector<std::string> AddScales(ScaleSurface& surface, const QuantityArrays& quantities, const ScaleOptions& options,
+  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
+{
+  Run run(surface, options, view, SizesOf(surface.On().Mesh), context);
+  run.Read(quantities, PartOfContext(context, 0.0, 0.2));
+  return Finish(run, options, spectrum, PartOfContext(context, 0.2, 1.0));
+}
+
+std::vector<std::string> AddScales(ScaleSurface& surface, ReadQuantities quantities, const ScaleOptions& options,
+  const SurfaceView& view, vtkTable* spectrum, const ExecutionContext& context)
+{
+  ScaleFilter& any = quantities.Functions.empty() ? surface.OfVectors(context) : surface.OfFunctions(context);
+  Run run(surface, options, view, any.Sizes(), context);
+  run.Functions = std::move(quantities.Functions);
+  run.Flows = std::move(quantities.Flows);
+  return Finish(run, options, spectrum, context);
 }
 
 }
