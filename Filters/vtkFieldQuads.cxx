@@ -175,7 +175,7 @@ int vtkFieldQuads::RequestData(
     dmg::QuadsToPolyData(quads, view, this->CutForTextures, output(0));
     context.Checkpoint(0.99);
     dmg::IrregularToPolyData(quads, this->BallRadius, output(2));
-    dmg::Warn(this, dmg::WarningsOf(quads, options, view.Relation().Names()));
+    dmg::Warn(this, dmg::WarningsOf(quads, options, crosses.has_value(), view.Relation().Names()));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

@@ -18,7 +18,8 @@
  *   SetInputArrayToProcess(1, 0, 0, association, name)
  *
  * chooses an array of positive numbers on cells or points, the length of edges there relative to other places. By default it is the same
- * everywhere. A field that is found here turns with the sizes, so that lengths vary as much as they should; a given one leaves room for a part of that.
+ * everywhere. A field that is found here turns with the sizes, so that lengths vary as much as they should. A given one is kept, which leaves room for a part
+ * of that; a warning tells the ratio that was asked for, the one that was reached, and the way to more.
  *
  *   SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name)
  *

@@ -206,6 +206,39 @@ class Quads(unittest.TestCase):
         self.assertTrue(1 < reached < 9)
         self.assertTrue(any("sizes vary by 10" in str(each.message) for each in heard))
 
+    def ratio_of_sizes(self, mesh, directions, **options):
+        """What is asked for and reached, and whether a warning names the field as the reason."""
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always")
+            result = quads(mesh, 1000, directions, **options)
+        said = any("as the given field is kept; without one" in str(each.message) for each in heard)
+        return *vtk_to_numpy(result.GetFieldData().GetArray("RatioOfSizes")), said
+
+    def test_a_given_field_does_not_turn_with_sizes_and_a_warning_says_which_does(self):
+        mesh = sphere()
+        points = vtk_to_numpy(mesh.GetPoints().GetData())
+        for name, values in ("Size", 2.0**points[:, 2]), ("Around", np.cross([0, 0, 1], points)):
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            mesh.GetPointData().AddArray(array)
+        _, kept, told = self.ratio_of_sizes(mesh, "Around", sizes="Size")
+        self.assertTrue(told)
+        asked, found, told = self.ratio_of_sizes(mesh, None, sizes="Size")
+        self.assertFalse(told)
+        self.assertLess(kept, 0.9 * asked)
+        self.assertGreater(found, 0.9 * asked)  # the remedy works
+
+    def test_a_given_field_does_not_turn_with_curvature_and_a_warning_says_which_does(self):
+        mesh = plane(60)  # with a crest along y, over which a field along x and y has no room for shorter edges along y
+        points = vtk_to_numpy(mesh.GetPoints().GetData())
+        points[:, 2] = 0.1 * np.exp(-((12 * (points[:, 0] - 0.5))**2))
+        array = numpy_to_vtk(np.tile([1.0, 0.0, 0.0], (len(points), 1)), deep=True)
+        array.SetName("Along")
+        mesh.GetPointData().AddArray(array)
+        asked, reached, told = self.ratio_of_sizes(mesh, "Along", Adaptivity=1.0)
+        self.assertTrue(told)
+        self.assertLess(reached, 0.9 * asked)
+
     def test_what_is_wrong_is_an_error(self):
         with self.assertRaisesRegex(FieldError, "no array 'Wind'"):
             quads(plane(), directions="Wind")

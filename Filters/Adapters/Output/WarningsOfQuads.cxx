@@ -87,14 +87,18 @@ std::string OfLosses(const QuadReport& report, const QuadOptions& options, bool 
     : std::string();
 }
 
-/// Sizes that were given are compared. Those by curvature are a wish that varies more than quads can.
-std::string OfSizes(const QuadReport& report, const QuadOptions& options)
+/// Sizes that were given are compared. Those by curvature are a wish that varies more than quads can; they are compared where another field helps.
+std::string OfSizes(const QuadReport& report, const QuadOptions& options, bool isFieldGiven)
 {
   constexpr double Least = 0.9;
-  return options.Sizes.size() == 0 || options.Adaptivity > 0.0 || report.ReachedRatio >= Least * report.AskedRatio
-    ? std::string()
-    : "sizes vary by " + ShortText(report.AskedRatio) + ", and lengths of edges by " + ShortText(report.ReachedRatio) +
-      ", as the field and aligned lines allow";
+  if (report.ReachedRatio >= Least * report.AskedRatio || (options.Adaptivity > 0.0 && !isFieldGiven))
+  {
+    return {};
+  }
+  const auto rounded = [](double ratio) { return ShortText(0.01 * std::round(100.0 * ratio)); };
+  return "sizes vary by " + rounded(report.AskedRatio) + ", and lengths of edges by " + rounded(report.ReachedRatio) +
+    (isFieldGiven ? ", as the given field is kept; without one, a field is found that turns with the sizes"
+                  : ", as singularities and aligned lines allow");
 }
 
 std::string OfDeviation(const QuadReport& report, const QuadOptions& options)
@@ -134,11 +138,12 @@ std::string OfInversion(const QuadReport& report)
 
 }
 
-std::vector<std::string> WarningsOf(const QuadMesh& mesh, const QuadOptions& options, const ElementNames& names)
+std::vector<std::string> WarningsOf(
+  const QuadMesh& mesh, const QuadOptions& options, bool isFieldGiven, const ElementNames& names)
 {
   const bool hasBoundary = std::find(mesh.IsOnBoundary.begin(), mesh.IsOnBoundary.end(), 1) != mesh.IsOnBoundary.end();
   return { OfNumber(mesh, options), OfRefinement(mesh.Report), OfSplitting(mesh.Report),
-    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report, options),
+    OfLosses(mesh.Report, options, hasBoundary, names), OfSizes(mesh.Report, options, isFieldGiven),
     OfDeviation(mesh.Report, options), OfInversion(mesh.Report), OfSymmetry(mesh.Report), OfRegions(mesh.Report) };
 }
 

@@ -16,7 +16,8 @@ namespace dmg
 /// Cost: linear.
 void FillLoneCells(const FramedMesh& surface, const SurfaceRelation& relation, Vector<Complex>& first);
 
-/// The gaps of a field, as of masked data: for each cell whether one of its faces has no direction.
+/// The gaps of a field, as of masked data: for each cell whether one of its faces has no direction. Drawings hide such cells, as nothing is known there.
+/// Quads are of the whole surface: they keep each face that has a direction and fill the others (MakeQuadsAcrossGaps).
 /// \param cells their number. Cost: linear.
 std::vector<char> CellsWithoutDirection(const SurfaceRelation& relation, const Vector<Complex>& first, long long cells);
 

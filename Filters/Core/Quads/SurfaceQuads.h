@@ -14,7 +14,8 @@ namespace dmg
 QuadMesh MakeQuadsAlongFeatures(const FramedMesh& surface, const QuadOptions& options = {},
   const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
-/// Makes a pure quad mesh along a field with gaps: MakeQuads with the field where it is given, and the smoothest one in between.
+/// Makes a pure quad mesh along a field with gaps: MakeQuads with the field where it is given, and the smoothest one in between. A gap is one of the field, not
+/// of the surface; drawings, which show what is known, hide it as a hole (CellsWithoutDirection).
 /// \param powers as MakeQuads; 0 in gaps.
 QuadMesh MakeQuadsAcrossGaps(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options = {},
   const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
