@@ -1,10 +1,10 @@
 #ifndef dmgFieldSolver_h
 #define dmgFieldSolver_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Field.h"
 #include "FieldProblem.h"
 #include "Levels/ProlongationOperators.h"
+#include "Places/NearestPlaces.h"
 #include "Setup/StageCounts.h"
 #include "Solvers/PrescribedSystem.h"
 #include "Support/ExecutionContext.h"

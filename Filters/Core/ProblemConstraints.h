@@ -1,11 +1,11 @@
 #ifndef dmgProblemConstraints_h
 #define dmgProblemConstraints_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Directions/PrincipalDirections.h"
 #include "FieldProblem.h"
 #include "Mesh/FramedMesh.h"
 #include "Mesh/SurfaceSizes.h"
+#include "Places/NearestPlaces.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>

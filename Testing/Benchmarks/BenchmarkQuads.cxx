@@ -16,9 +16,9 @@
 #include "CommandLine.h"
 #include "PeakMemory.h"
 
-#include "Constraints/NearestPlaces.h"
 #include "FieldSolver.h"
 #include "Peers/QuadriFlow.h"
+#include "Places/NearestPlaces.h"
 #include "Preparation/PreparedSurface.h"
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Isolines/QuadDistances.h"

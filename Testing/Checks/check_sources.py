@@ -40,7 +40,7 @@ FLOORS = {
     "Solvers/Kernels": 1, "Solvers/Krylov": 1, "Solvers/Direct": 2, "Solvers/Multigrid": 3,
     "Solvers/Laplacian": 4, "Solvers/LeastSquares": 4, "Solvers": 4,
     "Mesh": 5,
-    "Preparation": 6, "Operators": 6, "Levels": 6,
+    "Places": 6, "Preparation": 6, "Operators": 6, "Levels": 6,
     "Directions": 7, "Analysis": 7,
     "Constraints": 8, "Drawing": 9,
     # Unknowns: the penalties and the levels that each kind of field shares with others, and the kinds themselves.

@@ -2,8 +2,8 @@
 
 #include "Adapters/Data/WithoutStrips.h"
 #include "Adapters/Input/GuideDataSets.h"
-#include "Constraints/NearestPlaces.h"
 #include "Mesh/PositiveSide.h"
+#include "Places/NearestPlaces.h"
 #include "Support/Errors.h"
 
 #include "vtkCell.h"

@@ -1,7 +1,7 @@
 #ifndef dmgSingularitiesOnSurface_h
 #define dmgSingularitiesOnSurface_h
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Singularities/PrescribedSingularities.h"
 
 #include <string>

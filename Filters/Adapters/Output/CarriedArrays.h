@@ -2,7 +2,7 @@
 #define dmgCarriedArrays_h
 
 #include "Adapters/View/SurfaceView.h"
-#include "Quads/Crosses/SurfacePlace.h"
+#include "Places/SurfacePlace.h"
 
 #include "vtkNew.h"
 #include "vtkPointData.h"

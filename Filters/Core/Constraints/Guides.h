@@ -2,7 +2,7 @@
 #define dmgGuides_h
 
 #include "Constraints/Constraints.h"
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Support/ExecutionContext.h"
 
 #include <optional>

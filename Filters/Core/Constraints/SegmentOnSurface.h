@@ -1,7 +1,7 @@
 #ifndef dmgSegmentOnSurface_h
 #define dmgSegmentOnSurface_h
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "Drawing/ThinWalls.h"
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 
 #include <algorithm>
 

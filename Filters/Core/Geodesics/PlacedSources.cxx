@@ -1,7 +1,7 @@
 #include "Geodesics/PlacedSources.h"
 
-#include "Constraints/NearestPlaces.h"
 #include "Constraints/SurfaceFeatures.h"
+#include "Places/NearestPlaces.h"
 #include "Support/Errors.h"
 
 #include <algorithm>

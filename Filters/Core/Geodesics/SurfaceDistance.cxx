@@ -1,6 +1,5 @@
 #include "Geodesics/SurfaceDistance.h"
 
-#include "Constraints/NearestPlaces.h"
 #include "Geodesics/EdgePath.h"
 #include "Geodesics/IntrinsicPlaces.h"
 #include "Geodesics/IntrinsicTriangulation.h"
@@ -11,6 +10,7 @@
 #include "Geodesics/WavefrontPaths.h"
 #include "Mesh/PositiveSide.h"
 #include "Mesh/VertexConnection.h"
+#include "Places/NearestPlaces.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"

@@ -1,8 +1,8 @@
 #ifndef dmgMirrorPlane_h
 #define dmgMirrorPlane_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Mesh/FramedMesh.h"
+#include "Places/NearestPlaces.h"
 #include "Support/Types.h"
 
 namespace dmg

@@ -1,7 +1,7 @@
 #ifndef dmgQuadMeasures_h
 #define dmgQuadMeasures_h
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"
 #include "Quads/QuadMesh.h"
 #include "Support/ExecutionContext.h"

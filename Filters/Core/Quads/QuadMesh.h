@@ -2,8 +2,8 @@
 #define dmgQuadMesh_h
 
 #include "Mesh/FramedMesh.h"
+#include "Places/SurfacePlace.h"
 #include "Quads/Crosses/FinerSurface.h"
-#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/GridCoordinates.h"
 #include "Quads/Map/SeamlessMap.h"
 #include "Quads/MirrorPlane.h"

@@ -1,7 +1,7 @@
 #ifndef dmgQuadRounds_h
 #define dmgQuadRounds_h
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/CutSurface.h"
 #include "Quads/Crosses/LinesOfEdges.h"

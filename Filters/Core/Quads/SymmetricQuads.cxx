@@ -1,6 +1,6 @@
 #include "Quads/SymmetricQuads.h"
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/LengthsOfEdges.h"
 #include "Quads/QuadMeasures.h"

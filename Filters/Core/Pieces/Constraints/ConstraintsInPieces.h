@@ -1,9 +1,9 @@
 #ifndef dmgConstraintsInPieces_h
 #define dmgConstraintsInPieces_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Discretisations/VertexDiscretisation.h"
 #include "Pieces/Surface/PieceOfSurface.h"
+#include "Places/NearestPlaces.h"
 #include "ProblemConstraints.h"
 
 #include <memory>

@@ -2,9 +2,9 @@
 #define dmgGuidesInPieces_h
 
 #include "Constraints/Guides.h"
-#include "Constraints/NearestPlaces.h"
 #include "Mesh/SurfaceSizes.h"
 #include "Pieces/Surface/PieceOfSurface.h"
+#include "Places/NearestPlaces.h"
 #include "Support/ExecutionContext.h"
 
 namespace dmg

@@ -2,7 +2,7 @@
 #define dmgFinerSurface_h
 
 #include "Mesh/FramedMesh.h"
-#include "Quads/Crosses/SurfacePlace.h"
+#include "Places/SurfacePlace.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

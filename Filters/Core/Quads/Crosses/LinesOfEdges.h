@@ -2,7 +2,7 @@
 #define dmgLinesOfEdges_h
 
 #include "Mesh/TriangleMesh.h"
-#include "Quads/Crosses/SurfacePlace.h"
+#include "Places/SurfacePlace.h"
 
 #include <utility>
 #include <vector>

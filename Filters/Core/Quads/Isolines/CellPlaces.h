@@ -1,12 +1,12 @@
 #ifndef dmgCellPlaces_h
 #define dmgCellPlaces_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Mesh/FramedMesh.h"
+#include "Places/NearestPlaces.h"
+#include "Places/SurfacePlace.h"
 #include "Quads/Crosses/AlignedEdges.h"
 #include "Quads/Crosses/CrossField.h"
 #include "Quads/Crosses/LinesOfEdges.h"
-#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Isolines/IsolineArrangement.h"
 #include "Quads/Isolines/IsolineCells.h"
 

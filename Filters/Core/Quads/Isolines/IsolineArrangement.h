@@ -2,8 +2,8 @@
 #define dmgIsolineArrangement_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Places/SurfacePlace.h"
 #include "Quads/Crosses/CutSurface.h"
-#include "Quads/Crosses/SurfacePlace.h"
 #include "Quads/Map/SeamlessMap.h"
 
 #include <array>

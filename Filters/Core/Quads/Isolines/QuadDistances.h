@@ -1,8 +1,8 @@
 #ifndef dmgQuadDistances_h
 #define dmgQuadDistances_h
 
-#include "Constraints/NearestPlaces.h"
 #include "Mesh/TriangleMesh.h"
+#include "Places/NearestPlaces.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -1,7 +1,7 @@
 #ifndef dmgQuadSmoothing_h
 #define dmgQuadSmoothing_h
 
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 #include "Quads/Crosses/LinesOfEdges.h"
 #include "Quads/Isolines/CellPlaces.h"
 #include "Quads/Isolines/IndexedQuads.h"

@@ -2,6 +2,7 @@
 #define dmgSurfaceTracking_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Places/SurfacePlace.h"
 #include "StructurePreserving/Decimation/LineThroughRing.h"
 #include "StructurePreserving/Decimation/OneRing.h"
 
@@ -52,17 +53,13 @@ public:
   /// Rings without a common face may be moved at the same time; before CollapsibleMesh::Collapse.
   void Move(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker);
 
-  /// A place on the coarse mesh, by barycentric coordinates in the order of the face's corners.
-  struct Place
-  {
-    int Face;
-    std::array<double, 3> Weights;
-  };
-
   /// True where a fine vertex is still a vertex, with the same number, of the coarse mesh.
   bool IsCorner(int fineVertex) const { return this->PointFaces[fineVertex] < 0; }
-  /// \pre !IsCorner
-  Place PlaceOf(int fineVertex) const { return { this->PointFaces[fineVertex], this->PointWeights[fineVertex] }; }
+  /// The place of a fine vertex on the coarse mesh. \pre !IsCorner
+  SurfacePlace PlaceOf(int fineVertex) const
+  {
+    return { this->PointFaces[fineVertex], Eigen::Map<const Vector3>(this->PointWeights[fineVertex].data()) };
+  }
 
   /// The fine edge that runs along a coarse halfedge, or -1. Such an edge is still an edge of the coarse mesh and has no path.
   int FineEdgeAlong(int halfedge) const { return this->FineEdges[halfedge]; }

@@ -12,7 +12,7 @@ namespace
 {
 
 /// A place on a halfedge.
-std::array<double, 3> OnHalfedge(int halfedge, double fraction)
+std::array<double, 3> WeightsOnHalfedge(int halfedge, double fraction)
 {
   std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
   weights[halfedge % 3] = 1.0 - fraction;
@@ -119,9 +119,9 @@ void FineEdgePaths::Bend(const PieceOfEdge& piece, int side, double a, double b)
     const Piece whole = pieces[piece.Number];
     Piece before = whole;
     Piece after = whole;
-    Piece inside = { face, OnHalfedge(side, 1.0 - first), OnHalfedge(side, 1.0 - second) };
-    before.To = OnHalfedge(twin, first);
-    after.From = OnHalfedge(twin, second);
+    Piece inside = { face, WeightsOnHalfedge(side, 1.0 - first), WeightsOnHalfedge(side, 1.0 - second) };
+    before.To = WeightsOnHalfedge(twin, first);
+    after.From = WeightsOnHalfedge(twin, second);
     if (!forward)
     {
       std::swap(before, after);

@@ -15,7 +15,7 @@ SparseMatrix<double> ScalarProlongation(const LevelTransition& transition, const
         row.emplace_back(transition.CoarseVertex[vertex], 1.0);
         return;
       }
-      const SurfaceTracking::Place place = transition.Tracking.PlaceOf(vertex);
+      const SurfacePlace place = transition.Tracking.PlaceOf(vertex);
       const int face = transition.CoarseFace[place.Face];
       for (int k = 0; k < 3; ++k)
       {

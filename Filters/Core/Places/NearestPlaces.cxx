@@ -1,4 +1,4 @@
-#include "Constraints/NearestPlaces.h"
+#include "Places/NearestPlaces.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
