@@ -314,6 +314,19 @@ def check_quad_map(result):
     assert fetch(seams).GetNumberOfCells() > 50
 
 
+def check_symmetry(result):
+    """Each point has one at its mirror image, and some lie on the plane, where there was symmetry asked for; else they have none."""
+    shares = []
+    for quads in map(fetch, result):
+        assert euler(quads, *sides_of_quads(quads)) == 2
+        points = vtk_to_numpy(quads.GetPoints().GetData()).astype(float)
+        mirrored = points * (1, 1, -1)
+        nearest = np.array([np.abs(points - place).max(axis=1).min() for place in mirrored])
+        shares.append((nearest < 1e-3).mean())
+    assert shares[0] < 0.1 and shares[1] == 1, shares
+    assert (np.abs(points[:, 2]) < 1e-3).sum() > 40
+
+
 def check_unit_length(result):
     """Edges are alike where singularities keep apart."""
     spreads = []

@@ -12,7 +12,7 @@ def main():
     carried = ParallelTransport(Input=surfaces.source(surfaces.duck()), Point=[0.1, 0.1, 0.9], Direction=[1, 0, 0])
     view = view_from([0.2, 0.25, 1], [1200, 640])
     size = size_of(carried)
-    right = {"Position": [0.75 * size, 0, 0]}
+    right = {"Position": [0.68 * size, 0, 0.4 * size]}
     rays = Calculator(Input=carried, ResultArrayName="Rays", Function="sin(12 * GeodesicAngle * 0.017453292519943295)")
     show_surface(carried, view)
     show_surface(carried, view, **right)
@@ -23,7 +23,7 @@ def main():
     show(Tube(Input=beams, Radius=0.0012 * size), view, RED, Ambient=1, Diffuse=0)
     arrows = glyphs_on(carried, Directions=["CELLS", "TransportedVectors"], SeparatingDistance=0.03)
     show(arrows, view, BLUE, Ambient=1, Diffuse=0, **right)
-    save(view, "carried", 1.5)
+    save(view, "carried", None)
     return carried
 
 

@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean scales organ_flow offset_lines paths carried decal shell way_in quads quad_way quad_map unit_length three_fields hatching convergence)
+    moving_guides levels ocean scales organ_flow offset_lines paths carried decal shell way_in quads quad_way quad_map symmetry unit_length three_fields hatching convergence)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()

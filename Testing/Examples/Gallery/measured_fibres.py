@@ -36,7 +36,7 @@ def main():
     field = HarmonicFieldSolver(Input=data, NumberOfDirections=2, Directions=["CELLS", "Measured"], Alignment=0.03)
     view = view_from([0, -1, 0.45], [900, 380], [0, 0, 1])
     for k, (drawn, turn) in enumerate([(data, 0), (field, 0), (field, 180)]):
-        place = dict(Position=[2.3 * k, 0, 0], Orientation=[0, 0, turn])
+        place = dict(Position=[2.08 * k, 0, 0], Orientation=[0, 0, turn])
         show_surface(drawn, view, **place)
         if drawn is data:
             strokes = glyphs_on(data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03)
@@ -44,7 +44,7 @@ def main():
         else:
             show_lines(field, view, 0.018, **place)
             show_singularities(field, view, **place)
-    save(view, "measured_fibres", 2.15)
+    save(view, "measured_fibres", None)
     return field
 
 

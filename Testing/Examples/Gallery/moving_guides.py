@@ -24,13 +24,13 @@ def main(angles=ANGLES):
         field.UpdatePipeline()
         fields.append(servermanager.Fetch(field))
         frame = source(fields[-1])
-        place = [2.3 * k, 0, 0]
+        place = [2.08 * k, 0, 0]
         show_surface(frame, view, Position=place)
         show_lines(frame, view, 0.017, Position=place)
         show_singularities(frame, view, 0.015, Position=place)
         for line in (fixed, Line(Point1=moving.Point1, Point2=moving.Point2)):
             show_arrow(line, view, 0.6, Position=[place[0], 0, 0.08])
-    save(view, "moving_guides", 3)
+    save(view, "moving_guides", None)
     return fields
 
 

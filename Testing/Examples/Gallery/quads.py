@@ -20,8 +20,8 @@ def main(path=None):
     sheet = QuadMesh(Input=source(bracket()), NumberOfQuads=1500, BallRadius=0.4)
     view = view_from([0.6, -0.9, 0.9], [1200, 640], up=[0, 0, 1])
     show_quads(solid, view, Ambient=0.3)
-    show_quads(sheet, view, Ambient=0.3, Position=[3.9, 2.6, 0.2])
-    save(view, "quads_of_parts", 1.35)
+    show_quads(sheet, view, Ambient=0.3, Position=[3.1, 2.3, 0.2])
+    save(view, "quads_of_parts", None)
     return scan, solid, sheet
 
 

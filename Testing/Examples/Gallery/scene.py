@@ -5,7 +5,7 @@ import tempfile
 
 import numpy as np
 from paraview.simple import *
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
@@ -143,9 +143,28 @@ def texture_of(colours):
         return texture
 
 
+def fill(view, margin=0.01):
+    """What a parallel view shows reaches from edge to edge: it gets the view's width, and the view its height."""
+    picture = view.CaptureWindow(1)
+    across, high, _ = picture.GetDimensions()
+    colours = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(high, across, -1)
+    rows, columns = np.nonzero((colours[:, :, :3] < 250).any(axis=2))
+    towards, up = (np.array(v) / np.linalg.norm(v) for v in (np.subtract(view.CameraPosition, view.CameraFocalPoint), view.CameraViewUp))
+    right = np.cross(up, towards) / np.linalg.norm(np.cross(up, towards))
+    pixel = 2 * view.CameraParallelScale / high
+    shift = pixel * (((columns.min() + columns.max() + 1 - across) / 2) * right
+                     + ((rows.min() + rows.max() + 1 - high) / 2) * np.cross(towards, right))
+    view.CameraFocalPoint, view.CameraPosition = (np.array(v) + shift for v in (view.CameraFocalPoint, view.CameraPosition))
+    width, height = (np.ptp(x) + 1 + 2 * margin * across for x in (columns, rows))
+    view.CameraParallelScale = pixel * height / 2
+    view.ViewSize = [view.ViewSize[0], round(view.ViewSize[0] * height / width)]
+
+
 def save(view, name, zoom=1.3):
-    """As a picture that is larger than 2400 pixels, to be shrunk."""
+    """As a picture that is larger than 2400 pixels, to be shrunk. Without a zoom, what it shows fills it."""
     ResetCamera(view)
-    GetActiveCamera().Zoom(zoom)
+    GetActiveCamera().Zoom(zoom or 1)
+    if not zoom:
+        fill(view)
     factor = max(2, -(-2700 // view.ViewSize[0]))
     SaveScreenshot(f"{name}.png", view, ImageResolution=[factor * length for length in view.ViewSize])

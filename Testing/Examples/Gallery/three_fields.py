@@ -23,11 +23,19 @@ def show_integrals(form, view):
     sizes.UpdatePipeline()
     ColorBy(show(Tube(Input=sizes, Radius=0.022), view, BLUE), ("CELLS", "Integral"))
     largest = sizes.CellData["Integral"].GetRange()[1]
-    GetColorTransferFunction("Integral").RGBPoints = [0, 0.93, 0.9, 0.86, 0.2 * largest, 0.45, 0.6, 0.8, 0.5 * largest, *RED]
+    colours = GetColorTransferFunction("Integral")
+    colours.RGBPoints = [0, 0.93, 0.9, 0.86, 0.2 * largest, 0.45, 0.6, 0.8, 0.5 * largest, *RED]
+    bar = GetScalarBar(colours, view)
+    bar.Title, bar.ComponentTitle, bar.Visibility, bar.Orientation = "integral along an edge", "", 1, "Horizontal"
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.TitleFontSize = bar.LabelFontSize = 24
+    bar.WindowLocation, bar.Position, bar.ScalarBarLength, bar.ScalarBarThickness = "Any Location", [0.25, 0.01], 0.5, 18
+    bar.UseCustomLabels, bar.CustomLabels, bar.AddRangeLabels, bar.LabelFormat = 1, [0, 0.1, 0.2, 0.3, 0.4], 0, "%.1f"
 
 
 def draw(field, strokes, name):
-    view = view_from([0.35, 0.3, 1], [900, 630])
+    height = 800 if name == "one_form" else 630  # with a legend below
+    view = view_from([0.35, 0.3, 1], [900, height])
     if name == "one_form":
         show_surface(field, view)
         show_integrals(field, view)
@@ -39,7 +47,7 @@ def draw(field, strokes, name):
     for stroke in strokes:
         show_arrow(stroke, view, 0.5, Position=[0, 0, 0.05])
     show_singularities(field, view)
-    save(view, name, 1.67)
+    save(view, name, 1.67 * 630 / height)
     Delete(view)
 
 

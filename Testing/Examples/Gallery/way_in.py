@@ -52,7 +52,7 @@ def earth(around=72, along=37):
     longitude, latitude = np.meshgrid(2 * np.pi * np.arange(around + 1) / around, np.pi * (np.arange(along) / (along - 1) - 0.5))
     longitude[:, -1] = 0
     x, y = np.cos(longitude) * np.cos(latitude), np.sin(longitude) * np.cos(latitude)
-    data.SetPoints(points_of(12 * np.stack([x, y, np.sin(latitude)], -1).reshape(-1, 3) + [40, 12, 3]))
+    data.SetPoints(points_of(12 * np.stack([x, y, np.sin(latitude)], -1).reshape(-1, 3) + [38, 12, 3]))
     return data
 
 
@@ -71,14 +71,14 @@ def seam(grid):
 def main():
     view = view_from([0.35, -1, 0.75], [1100, 480], up=(0, 0, 1))
     plate = HarmonicFieldSolver(Input=source(stiffened_plate()), SharpEdgesWeight=0)
-    show(plate, view, IVORY, Representation="Surface With Edges", EdgeColor=[0.8, 0.78, 0.74], Ambient=0.15)
+    show(plate, view, [0.9, 0.87, 0.81], Representation="Surface With Edges", EdgeColor=[0.78, 0.75, 0.7], Ambient=0.1, Diffuse=0.9)
     show(lines_along(plate, 0.03, 0.0016), view, BLUE)
     globe = earth()
     sphere = HarmonicFieldSolver(Input=source(globe))
     show(sphere, view, IVORY, Representation="Surface With Edges", EdgeColor=[0.8, 0.78, 0.74], Ambient=0.15)
     show(lines_along(sphere, 0.03, 0.0016, shortest=12), view, BLUE)
     show(Tube(Input=source(seam(globe)), Radius=0.15), view, RED)
-    save(view, "way_in", 1.35)
+    save(view, "way_in", None)
     return plate, sphere
 
 
