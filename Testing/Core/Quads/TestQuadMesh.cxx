@@ -329,6 +329,30 @@ TEST(QuadMesh, OfComponentsHasThemAll)
   EXPECT_EQ(mesh.Report.EulerOfMesh, 2 + 1 + 0);
 }
 
+TEST(QuadMesh, OfEachComponentIsThatOfTheComponentAlone)
+{
+  // Lengths of edges and the field are given: components have nothing in common.
+  QuadOptions options;
+  options.EdgeLength = 0.3;
+  const auto quadsOf = [&options](const Surface& surface, const Vector<Complex>& powers)
+  { return CountedMesh(MakeQuads(FramedMesh(surface.Mesh()), powers, options).Quads); };
+  const Surface one = IrregularSphere(3, 1);
+  const Vector<Complex> field = CrossesOf(FramedMesh(one.Mesh()));
+  constexpr int Copies = 6;
+  Surface all = one;
+  for (int k = 1; k < Copies; ++k)
+  {
+    all = Union(all, one, { 4.0 * k, 0, 0 });
+  }
+  const CountedMesh alone = quadsOf(one, field), counted = quadsOf(all, field.replicate(Copies, 1));
+  ASSERT_EQ(counted.Inner.size(), alone.Inner.size());
+  for (const auto& [valence, number] : alone.Inner)
+  {
+    EXPECT_EQ(counted.Inner.at(valence), Copies * number) << valence;
+  }
+  EXPECT_EQ(counted.EulerNumber, Copies * alone.EulerNumber);
+}
+
 TEST(QuadMesh, KeepsComponentThatIsMuchSmallerThanOneQuad)
 {
   Surface small = IrregularSphere(2, 1);

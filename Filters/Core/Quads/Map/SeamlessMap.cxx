@@ -2,6 +2,7 @@
 
 #include "Quads/Map/ClosestIntegers.h"
 #include "Quads/Map/ExactOrder.h"
+#include "Support/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,24 +34,6 @@ SparseMatrix<double> AsMatrix(const IntegerLattice& lattice)
   }
   matrix.finalize();
   return matrix;
-}
-
-/// Z^T K Z of symmetric K, a few rows at a time: with many integers it takes a while.
-Eigen::MatrixXd TripleProduct(
-  const SparseMatrix<double>& Z, const SparseMatrix<double>& K, const ExecutionContext& context)
-{
-  constexpr int Block = 32;
-  const int size = static_cast<int>(Z.cols());
-  const SparseMatrix<double> transposed = Z.transpose();
-  Eigen::MatrixXd product(size, size);
-  for (int first = 0; first < size; first += Block)
-  {
-    context.Checkpoint(static_cast<double>(first) / size);
-    const int count = std::min(Block, size - first);
-    const SparseMatrix<double> rows = transposed.middleRows(first, count);
-    product.middleRows(first, count) = Eigen::MatrixXd(SparseMatrix<double>(rows * K) * Z);
-  }
-  return product;
 }
 
 /// Adds a small part of the mean of the diagonal to it: free shifts of the map cost nothing otherwise.
@@ -174,7 +157,8 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
   context.Checkpoint(0.4);
   const SparseMatrix<double> Z = this->Variables.Integers * this->Lattice;
   this->RealsByIntegers = SparseMatrix<double>(KR.transpose()) * Z;
-  this->Schur = TripleProduct(Z, K, PartOfContext(context, 0.41, 0.5));
+  this->GroupParameters(Z);
+  this->AddEnergyOfIntegers(Z, K, PartOfContext(context, 0.41, 0.5));
   K = SparseMatrix<double>(); // makes room for the factor
   KR = SparseMatrix<double>();
   if (H.rows() > 0)
@@ -184,23 +168,106 @@ void SeamlessMap::Assemble(const ExecutionContext& context)
   context.Checkpoint(1.0);
 }
 
+void SeamlessMap::GroupParameters(const SparseMatrix<double>& Z)
+{
+  const std::vector<int> components = FaceComponents(this->Mesh);
+  const int size = static_cast<int>(Z.cols());
+  DisjointSets sets(size + static_cast<int>(components.size())); // of parameters and components
+  for (int row = 0; row < Z.rows(); ++row)
+  {
+    for (SparseMatrix<double>::InnerIterator entry(Z, row); entry; ++entry)
+    {
+      sets.Unite(static_cast<int>(entry.col()), size + components[row / 6]);
+    }
+  }
+  std::vector<int> groups(size, -1); // by the first parameter of each
+  for (int parameter = 0; parameter < size; ++parameter)
+  {
+    int& group = groups[sets.Smallest(parameter)];
+    if (group < 0)
+    {
+      group = static_cast<int>(this->Parameters.size());
+      this->Parameters.emplace_back();
+    }
+    this->Parameters[group].Numbers.push_back(parameter);
+  }
+}
+
+void SeamlessMap::AddEnergyOfIntegers(
+  const SparseMatrix<double>& Z, const SparseMatrix<double>& K, const ExecutionContext& context)
+{
+  const int size = static_cast<int>(Z.cols());
+  const int block = std::max(32, size / 64); // rows at a time: with many integers it takes a while
+  std::vector<std::pair<ParametersOfComponent*, int>> places(size);
+  for (ParametersOfComponent& component : this->Parameters)
+  {
+    const auto count = static_cast<int>(component.Numbers.size());
+    component.Schur.setZero(count, count);
+    for (int k = 0; k < count; ++k)
+    {
+      places[component.Numbers[k]] = { &component, k };
+    }
+  }
+  const SparseMatrix<double> transposed = Z.transpose();
+  for (int first = 0; first < size; first += block)
+  {
+    context.Checkpoint(static_cast<double>(first) / size);
+    const SparseMatrix<double> rows = transposed.middleRows(first, std::min(block, size - first));
+    const SparseMatrix<double> product = SparseMatrix<double>(rows * K) * Z;
+    for (int row = 0; row < product.rows(); ++row)
+    {
+      auto& [component, number] = places[first + row];
+      for (SparseMatrix<double>::InnerIterator entry(product, row); entry; ++entry)
+      {
+        component->Schur(number, places[entry.col()].second) = entry.value();
+      }
+    }
+  }
+}
+
 void SeamlessMap::FindSchurComplement(const ExecutionContext& context)
 {
-  constexpr int Block = 32; // columns that are solved for at a time
-  const int size = static_cast<int>(this->Schur.rows());
-  const Eigen::SparseMatrix<double> columns = this->RealsByIntegers;
-  for (int first = 0; first < size && this->Factor; first += Block)
+  constexpr std::size_t Block = 32; // columns that are solved for at a time
+  std::size_t most = 0;
+  for (const ParametersOfComponent& component : this->Parameters)
   {
-    const int count = std::min(Block, size - first);
-    const Eigen::MatrixXd right = columns.middleCols(first, count);
+    most = std::max(most, component.Numbers.size());
+  }
+  const Eigen::SparseMatrix<double> columns = this->RealsByIntegers;
+  for (std::size_t first = 0; first < most && this->Factor; first += Block)
+  {
+    const std::size_t count = std::min(Block, most - first);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(columns.rows(), static_cast<Eigen::Index>(count));
+    for (const ParametersOfComponent& component : this->Parameters)
+    {
+      for (std::size_t k = first; k < std::min(first + count, component.Numbers.size()); ++k)
+      {
+        right.col(static_cast<Eigen::Index>(k - first)) += columns.col(component.Numbers[k]);
+      }
+    }
     Eigen::MatrixXd solution;
     this->Factor->Solve(right, solution);
-    this->Schur.middleCols(first, count) -= columns.transpose() * solution;
-    context.Checkpoint(0.7 * (first + count) / size);
+    const Eigen::MatrixXd products = columns.transpose() * solution;
+    for (ParametersOfComponent& component : this->Parameters)
+    {
+      for (std::size_t k = first; k < std::min(first + count, component.Numbers.size()); ++k)
+      {
+        component.Schur.col(static_cast<Eigen::Index>(k)) -=
+          products(component.Numbers, static_cast<Eigen::Index>(k - first));
+      }
+    }
+    context.Checkpoint(0.7 * static_cast<double>(first + count) / static_cast<double>(most));
   }
-  this->Schur = Eigen::MatrixXd(0.5 * (this->Schur + this->Schur.transpose()));
-  this->Schur.diagonal().array() += 1e-9 * this->Schur.trace() / std::max(size, 1);
-  this->InverseOfSchur = InverseOf(this->Schur, PartOfContext(context, 0.7, 1.0));
+  const double step = 0.3 / static_cast<double>(std::max<std::size_t>(this->Parameters.size(), 1));
+  double done = 0.7;
+  for (ParametersOfComponent& component : this->Parameters)
+  {
+    Eigen::MatrixXd& S = component.Schur;
+    S = Eigen::MatrixXd(0.5 * (S + S.transpose()));
+    S.diagonal().array() += 1e-9 * S.trace() / static_cast<double>(S.rows());
+    component.InverseOfSchur = InverseOf(S, PartOfContext(context, done, done + step));
+    done += step;
+  }
 }
 
 SeamlessMap::Targets SeamlessMap::FromField(const Vector<double>& lengths, const ExecutionContext& context) const
@@ -261,10 +328,15 @@ Vector<double> SeamlessMap::RightSide(const Targets& targets, const ExecutionCon
 
 Vector<double> SeamlessMap::RealParameters(const Vector<double>& right, Vector<double>& reals)
 {
-  this->SolveReals(right, Vector<double>::Zero(this->Schur.rows()), reals);
+  this->SolveReals(right, Vector<double>::Zero(this->Lattice.cols()), reals);
   const Vector<double> ofIntegers = this->Variables.Integers.transpose() * right;
   const Vector<double> c = this->Lattice.transpose() * ofIntegers - this->RealsByIntegers.transpose() * reals;
-  return this->InverseOfSchur * c;
+  Vector<double> parameters = Vector<double>::Zero(c.size());
+  for (const ParametersOfComponent& component : this->Parameters)
+  {
+    parameters(component.Numbers) = component.InverseOfSchur * c(component.Numbers);
+  }
+  return parameters;
 }
 
 void SeamlessMap::SolveReals(const Vector<double>& right, const Vector<double>& parameters, Vector<double>& reals)
@@ -322,8 +394,15 @@ MapOfCorners SeamlessMap::Map(const Vector<double>& lengths, const ExecutionCont
   const Vector<double> right = this->RightSide(this->FromField(lengths, context), context);
   Vector<double> reals;
   const Vector<double> wanted = this->RealParameters(right, reals);
-  const Vector<double> parameters =
-    ClosestIntegers(this->Schur, this->InverseOfSchur, wanted, PartOfContext(context, 0.1, 0.4));
+  Vector<double> parameters = wanted;
+  const double step = 0.3 / static_cast<double>(std::max<std::size_t>(this->Parameters.size(), 1));
+  double done = 0.1;
+  for (const ParametersOfComponent& component : this->Parameters)
+  {
+    parameters(component.Numbers) = ClosestIntegers(
+      component.Schur, component.InverseOfSchur, wanted(component.Numbers), PartOfContext(context, done, done + step));
+    done += step;
+  }
   this->SolveReals(right, parameters, reals);
   return this->LimitDistortion(
     this->InFixedPoint(reals, parameters), reals, parameters, lengths, PartOfContext(context, 0.4, 1.0));

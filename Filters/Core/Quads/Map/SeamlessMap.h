@@ -37,10 +37,11 @@ int NumberOfFaces(const MapOfCorners& map, int orientation);
 ///
 /// H_rr is factored once. With the best r for each y, the energy is that of y alone, with the Schur complement
 /// S = H_yy - H_ry^T H_rr^-1 H_ry, and ClosestIntegers finds y without another solve. All of this stays for other lengths of edges.
+/// Components of the surface have parameters of their own: S is a block of each, and one solve serves a parameter of every component.
 class SeamlessMap
 {
 public:
-  /// Cost: one factor, and a solve per parameter of the integers.
+  /// Cost: one factor, and a solve per parameter of the integers that a component has; n^3 for its n.
   SeamlessMap(const FramedMesh& surface, const CrossField& field, SeamlessVariables variables,
     const ExecutionContext& context = SerialContext());
 
@@ -56,7 +57,20 @@ public:
 private:
   using Targets = std::vector<std::array<Complex, 2>>; ///< by face, the gradients that are wanted
 
+  /// The parameters of the integers of one component.
+  struct ParametersOfComponent
+  {
+    std::vector<int> Numbers; ///< in ascending order
+    Eigen::MatrixXd Schur;
+    Eigen::MatrixXd InverseOfSchur;
+  };
+
   void Assemble(const ExecutionContext& context);
+  /// \param Z the integer part of each corner by parameters.
+  void GroupParameters(const SparseMatrix<double>& Z);
+  /// H_yy = Z^T K Z, into Schur.
+  void AddEnergyOfIntegers(
+    const SparseMatrix<double>& Z, const SparseMatrix<double>& K, const ExecutionContext& context);
   void FindSchurComplement(const ExecutionContext& context);
   /// The gradient of the hat function of corner k of a face, times twice its area.
   Complex HatGradient(int face, int k) const;
@@ -82,8 +96,7 @@ private:
   Vector<double> Weights;                         ///< of faces: their area over the raised one
   SparseMatrix<double> RealsByIntegers;           ///< H_ry
   std::unique_ptr<CholeskySolver<double>> Factor; ///< of H_rr
-  Eigen::MatrixXd Schur;
-  Eigen::MatrixXd InverseOfSchur;
+  std::vector<ParametersOfComponent> Parameters;
 };
 
 }
