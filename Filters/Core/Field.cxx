@@ -56,6 +56,29 @@ void CallBoth(const ExecutionContext& context, const First& first, const Second&
     });
 }
 
+/// The indices of singularities: of faces where a connection carries directions between vertices, else of vertices.
+void FindIndices(const TriangleMesh& mesh, const VertexConnection* connection, const Unfilled<Corner>& corners,
+  const PrincipalMatching& matching, Field& field, const ExecutionContext& context)
+{
+  if (connection)
+  {
+    FindIndicesOfFaces(mesh, *connection, field, context);
+    return;
+  }
+  field.Indices = SingularityIndices(mesh, corners, matching.Rotation, field.N, context);
+}
+
+/// The first direction of each face, and of each vertex near to those of its faces if the field is combed.
+void ChooseFirstDirections(const TriangleMesh& mesh, const VertexConnection* connection,
+  const Unfilled<Corner>& corners, const std::vector<int>& labels, Field& field, const ExecutionContext& context)
+{
+  field.OnFaces = FirstDirections(field.Powers.Faces, field.N, labels, context);
+  const auto turnFromFace = [&](int h) { return connection ? connection->TurnFromFace(h) : corners[h].Turn; };
+  field.AtVertices = field.IsCombed
+    ? FirstDirectionsAtVertices(mesh, turnFromFace, field.OnFaces, field.Powers.Vertices, field.N, context)
+    : FirstDirections(field.Powers.Vertices, field.N, {}, context);
+}
+
 }
 
 Points Field::DirectionsOnFaces(const FramedMesh& surface, int k) const
@@ -106,15 +129,7 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
   }
   context.Checkpoint(0.6);
 
-  const auto findIndices = [&]
-  {
-    if (connection)
-    {
-      FindIndicesOfFaces(mesh, *connection, field, context);
-      return;
-    }
-    field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
-  };
+  const auto findIndices = [&] { FindIndices(mesh, connection, corners, matching, field, context); };
   if (growsTree)
   {
     // It grows in one thread; what does not need it goes on beside.
@@ -129,11 +144,7 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
   {
     field.Rotation = std::move(matching.Rotation);
   }
-  field.OnFaces = FirstDirections(powers, N, labels, context);
-  const auto turnFromFace = [&](int h) { return connection ? connection->TurnFromFace(h) : corners[h].Turn; };
-  field.AtVertices = combing
-    ? FirstDirectionsAtVertices(mesh, turnFromFace, field.OnFaces, field.Powers.Vertices, N, context)
-    : FirstDirections(field.Powers.Vertices, N, {}, context);
+  ChooseFirstDirections(mesh, connection, corners, labels, field, context);
   context.Checkpoint(1.0);
   return field;
 }

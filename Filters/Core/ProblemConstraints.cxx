@@ -167,7 +167,9 @@ SurfaceSizes ConstraintsOnMesh::Sizes()
 
 FollowedGuides ConstraintsOnMesh::DirectionsOfGuides(const Guides& guides, const ExecutionContext& context)
 {
-  return FollowGuides(guides, this->Places(), context);
+  FollowedGuides followed = FollowGuides(guides, this->Places(), context);
+  dmg::TakeOutNormalParts(followed, this->Surface.Mesh);
+  return followed;
 }
 
 FollowedFeatures ConstraintsOnMesh::DirectionsOfFeatures(

@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from directionalmultigrid import FieldError, smooth_field, write_raw_field, write_rosy, write_sharp
-from surfaces import prism, surface, torus, values
+from surfaces import add, prism, surface, torus, values
 
 
 def numbers(path, separator=None):
@@ -107,6 +107,21 @@ class Export(unittest.TestCase):
         directions = np.array(rows).reshape(-1, 5, 3)
         turns = np.angle((directions[:, 1:] @ (1, 1j, 0)) / (directions[:, :-1] @ (1, 1j, 0)))
         np.testing.assert_allclose(turns, 2 * np.pi / 5, rtol=1e-12)
+
+    def test_raw_field_goes_counter_clockwise_whatever_the_order_of_arrays_is(self):
+        mesh = vtkPlaneSource()
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(mesh.GetOutputPort())
+        triangles.Update()
+        mesh = triangles.GetOutput()
+        for name, quarter in zip(range(4), (0, 2, 1, 3)):
+            angle = 0.2 + quarter * np.pi / 2
+            add(mesh.GetCellData(), f"Direction{name}", np.tile([np.cos(angle), np.sin(angle), 0], (mesh.GetNumberOfCells(), 1)))
+        write_raw_field(self.path, mesh)
+        _, *rows = numbers(self.path)
+        directions = np.array(rows).reshape(-1, 4, 3)
+        turns = np.angle((directions[:, 1:] @ (1, 1j, 0)) / (directions[:, :-1] @ (1, 1j, 0)))
+        np.testing.assert_allclose(turns, np.pi / 2, rtol=1e-12)
 
     def test_faces_are_the_polygons_whatever_stands_before_them(self):
         """Vertices and lines of a mesh have cells, too, which no file of faces counts."""

@@ -78,6 +78,11 @@ class Functions(unittest.TestCase):
             prescribed = values(solver.GetOutput().GetPointData(), "Prescribed")
             self.assertEqual(list(np.flatnonzero(prescribed)), [3, 700, 2000])
 
+    def test_a_mask_alone_asks_for_values(self):
+        data = surface()
+        with self.assertRaisesRegex(FieldError, "neither directions nor values are; .* numbers for Values of a function"):
+            smooth_field(data, Discretisation=vtkHarmonicFieldSolver.ScalarFunction, Mask="Given")
+
     def test_a_source_that_changes_with_time_is_solved_for_alone(self):
         data = torus(60, 40)
         height = np.array([data.GetPoint(i)[2] for i in range(data.GetNumberOfPoints())])

@@ -16,7 +16,7 @@ def turn(angle, axis):
 class Layout:
     """A dataset of the polygons of a surface. Arrays are given and got back in the numbers of the surface, vectors in its axes."""
 
-    def __init__(self, points, polygons, scale=1.0, rotation=np.eye(3), offset=(0, 0, 0), turned=0.0, soup=False, order=False,
+    def __init__(self, points, polygons, closed=False, scale=1.0, rotation=np.eye(3), offset=(0, 0, 0), turned=0.0, soup=False, order=False,
                  single=False, grid=False, lines=False, loose=False, small=False):
         random = np.random.default_rng(5)
         cells = [list(map(int, polygon)) for polygon in polygons]
@@ -30,8 +30,12 @@ class Layout:
             self.points = np.concatenate([self.points[cell] for cell in cells])
             ends = np.cumsum([0] + [len(cell) for cell in cells])
             cells = [list(range(first, last)) for first, last in zip(ends, ends[1:])]
-        self.scale, self.rotation, self.small = scale, np.asarray(rotation), small
-        at = (scale * np.asarray(points, float) @ self.rotation.T + offset)[self.points]
+        self.scale, self.rotation, self.offset, self.small = scale, np.asarray(rotation), np.asarray(offset), small
+        at = (scale * np.asarray(points, float) @ self.rotation.T + self.offset)[self.points]
+        # Whether what is counter-clockwise seen from outside, or from +z of a surface in the plane z = 0, is so from the positive side of the
+        # layout: the outside, or that of +z where z is constant, or else that from which most cells are counter-clockwise.
+        mirrored, up = np.linalg.det(self.rotation), self.rotation[2, 2]
+        self.side = mirrored if closed else mirrored * up if abs(abs(up) - 1) < 1e-9 else 1 if turned < 0.5 else -1
         self.ahead_of_points, self.ahead_of_cells = int(loose), 2 * int(lines)
         if loose:  # a point that no cell has
             at = np.concatenate([at[:1] + 100 * np.ptp(at, axis=0).max(), at])
@@ -61,6 +65,10 @@ class Layout:
         array.SetName(name)
         (self.data.GetPointData() if on_points else self.data.GetCellData()).AddArray(array)
 
+    def own(self, places):
+        """Places of a dataset, in the coordinates of the surface."""
+        return (places - self.offset) @ self.rotation / self.scale
+
     def get(self, output, name, on_points):
         array = (output.GetPointData() if on_points else output.GetCellData()).GetArray(name)
         numbers = vtk_to_numpy(array)[self.ahead_of_points if on_points else self.ahead_of_cells:].astype(float)
@@ -86,4 +94,52 @@ LAYOUTS = {
     "far, points of each cell": dict(offset=(3e5, -4e5, 0), soup=True),
     "turned in its plane": dict(rotation=turn(0.7, (0, 0, 1))),
     "turned in space": dict(rotation=turn(0.7, (1, 2, 3))),
+    "turned in space, clockwise": dict(rotation=turn(0.7, (1, 2, 3)), turned=1.0),
+    "turned over": dict(rotation=np.diag([1, -1, -1])),
+    "mirrored": dict(rotation=np.diag([-1, 1, 1])),
+    "mirrored, clockwise": dict(rotation=np.diag([-1, 1, 1]), turned=1.0),
 }
+
+
+def centres(points, cells):
+    """The means of corners."""
+    return np.array([points[list(cell)].mean(0) for cell in cells])
+
+
+def mixed_cells(columns, rows):
+    """A rectangle with uneven points, of quadrilaterals and triangles."""
+    random = np.random.default_rng(11)
+    at = np.array([[i, j, 0.0] for j in range(rows + 1) for i in range(columns + 1)])
+    inner = (at[:, 0] > 0) & (at[:, 0] < columns) & (at[:, 1] > 0) & (at[:, 1] < rows)
+    at[inner, :2] += random.uniform(-0.2, 0.2, (np.count_nonzero(inner), 2))
+    cells = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 2, a + columns + 1
+            cells += [(a, b, c, d)] if i % 3 else [(a, b, c), (a, c, d)]
+    return at / columns, cells
+
+
+def mixed_torus(around, across):
+    """A torus with uneven points, of quadrilaterals and triangles."""
+    random = np.random.default_rng(12)
+    u, v = (np.stack(np.meshgrid(np.arange(around), np.arange(across), indexing="ij"), -1).reshape(-1, 2)
+            + random.uniform(-0.2, 0.2, (around * across, 2))).T
+    a, b = 2 * np.pi * u / around, 2 * np.pi * v / across
+    radius = 0.5 + 0.2 * np.cos(b)
+    cells = []
+    for i in range(around):
+        for j in range(across):
+            p, q, r, s = (k % around * across + m % across for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            cells += [(p, q, r, s)] if i % 3 else [(p, q, r), (p, r, s)]
+    return np.stack([radius * np.cos(a), radius * np.sin(a), 0.2 * np.sin(b)], 1), cells
+
+
+POINTS, CELLS = mixed_cells(12, 9)
+CENTRES = centres(POINTS, CELLS)
+
+
+def directions(at):
+    angle = 0.4 * np.sin(3 * at[:, 0]) + at[:, 1]
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1)

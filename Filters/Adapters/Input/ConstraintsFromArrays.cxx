@@ -3,6 +3,7 @@
 #include "Adapters/View/EastAndNorth.h"
 #include "Adapters/View/FillValues.h"
 #include "Constraints/WeightsOfPoints.h"
+#include "Mesh/NormalParts.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -142,9 +143,18 @@ Constraints DirectionsOnSurface(
           tensor = TensorOf(numbers, arrays.Vectors.Array->GetNumberOfComponents());
           unusable.NotSymmetric += IsSymmetric(tensor) ? 0 : 1;
         }
+        const Vector3 direction = onPoints || areTensors
+          ? given
+              .Vector // parts along normals of vertices are those of the whole surface, which may be on several ranks
+          : WithoutNormalPartOfCell(surface.Geometry.Mesh, relation, elementsOf(given.Element).front(), given.Vector);
+        if (direction.isZero(0.0))
+        {
+          ++unusable.Perpendicular;
+          return;
+        }
         for (const int element : elementsOf(given.Element))
         {
-          constraints.push_back({ element, given.Vector, given.Weight });
+          constraints.push_back({ element, direction, given.Weight });
           if (areTensors && choices.WeighsTensors)
           {
             differences.push_back(DifferenceOfPrincipalValues(

@@ -11,6 +11,7 @@
 #include "Directions/CellDirections.h"
 #include "Directions/GapsOfField.h"
 #include "Directions/SignFlips.h"
+#include "Mesh/NormalParts.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -61,16 +62,24 @@ Complex TangentialPart(const Vector3& vector, Complex inPlane)
                          : Complex(std::numeric_limits<double>::infinity());
 }
 
+/// The vector of a tuple.
+Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple)
+{
+  Vector3 vector = Vector3::Zero();
+  array->GetTuple(tuple, vector.data());
+  return vector;
+}
+
 /// The direction of a vertex.
-Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
+Complex ReadVertex(vtkDataArray* array, vtkIdType point, const FramedMesh& surface, int vertex)
 {
   if (HoldsTensors(array))
   {
-    return ReadTensor(array, tuple, frames, element);
+    return ReadTensor(array, point, surface.Vertices, vertex);
   }
-  Vector3 vector = Vector3::Zero();
-  array->GetTuple(tuple, vector.data());
-  return TangentialPart(vector, frames.ToComplex(element, vector));
+  const Vector3 vector = ReadVector(array, point);
+  const Vector3 tangential = WithoutNormalPart(surface.Mesh, surface.Vertices, vertex, vector);
+  return TangentialPart(vector, surface.Vertices.ToComplex(vertex, tangential));
 }
 
 /// Arrays of cells, read on the faces.
@@ -79,6 +88,7 @@ class CellsOnFaces
 public:
   CellsOnFaces(const FramedSurface& surface, const ExecutionContext& context)
     : Relation(surface.Relation)
+    , Mesh(surface.Geometry.Mesh)
     , Frames(surface.Geometry.Faces)
     , Normals(NormalsOfCells(surface.Geometry.Mesh, surface.Geometry.Faces, surface.Relation, context))
   {
@@ -87,18 +97,21 @@ public:
   Complex Read(vtkDataArray* array, int face) const
   {
     const int cell = this->Relation.CellOf(face);
-    if (this->Normals.rows() == 0 || HoldsTensors(array))
+    if (HoldsTensors(array))
     {
-      return ReadTuple(array, cell, this->Frames, face);
+      return ReadTensor(array, cell, this->Frames, face);
     }
-    Vector3 vector = Vector3::Zero();
-    array->GetTuple(cell, vector.data());
-    return TangentialPart(vector, OnFaceOfCell(this->Frames, face, this->Normals.row(face), vector));
+    const Vector3 vector = ReadVector(array, cell);
+    const Vector3 tangential = WithoutNormalPartOfCell(this->Mesh, this->Relation, face, vector);
+    return TangentialPart(vector,
+      this->Normals.rows() == 0 ? this->Frames.ToComplex(face, tangential)
+                                : OnFaceOfCell(this->Frames, face, this->Normals.row(face), tangential));
   }
 
   const SurfaceRelation& Relation;
 
 private:
+  const TriangleMesh& Mesh;
   const TangentFrames& Frames;
   const Points Normals; ///< of the cells
 };
@@ -143,7 +156,7 @@ Vector<Complex> ReadVertices(
   vtkDataArray* array, const FramedSurface& surface, std::set<vtkIdType>& left, const ExecutionContext& context)
 {
   const auto pointOf = [&surface](int vertex) { return surface.Relation.PointOf(vertex); };
-  return ReadTuples([&](int vertex) { return ReadTuple(array, pointOf(vertex), surface.Geometry.Vertices, vertex); },
+  return ReadTuples([&](int vertex) { return ReadVertex(array, pointOf(vertex), surface.Geometry, vertex); },
     surface.Geometry.Mesh.NumberOfVertices(), pointOf, left, context);
 }
 
@@ -215,13 +228,19 @@ void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::se
   }
 }
 
-/// Warns where vectors flip as axes do. Fields of solvers are combed, and transported vectors have the signs of their sources.
+/// Whether filters of this module have found the vectors. Fields of solvers are combed, and transported vectors have the signs of their sources;
+/// neither have fill values.
+bool IsOurs(const std::string& name)
+{
+  return name == ArrayNames::Direction(0) || name == ArrayNames::TransportedVectors;
+}
+
+/// Warns where vectors flip as axes do.
 void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
 {
   const std::string name = NameOf(chosen.Array);
-  if (name != ArrayNames::Direction(0) && name != ArrayNames::TransportedVectors &&
-    FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints()))
+  if (!IsOurs(name) && FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints()))
   {
     vtkWarningWithObjectMacro(
       algorithm, << "array '" << name
@@ -324,7 +343,7 @@ SurfaceWithField ReadField(
       "' has no direction on any triangle, its vectors are zero, not finite or perpendicular to the surface; "
       "choose another");
   }
-  if (NameOf(chosen.Array) != ArrayNames::Direction(0)) // a solver knows no fill values
+  if (!IsOurs(NameOf(chosen.Array)))
   {
     const vtkIdType tuples = input->GetNumberOfElements(chosen.Association);
     Warn(algorithm, { SuspectedFillValues({ chosen.Array }, tuples, "array '" + NameOf(chosen.Array) + "'") });
@@ -355,7 +374,9 @@ Points ReferenceVectors(
   if (const VectorArrays arrays({ choice }, view.Given(), "reference vectors", "the surface"); !arrays.AreNone())
   {
     Warn(algorithm, { SuspectedFillValues(arrays.Arrays(), arrays.NumberOfTuples(view.Given()), "reference vectors") });
-    references = view.Vectors(arrays).OnFaces(mesh);
+    VectorsOnSurface vectors = view.Vectors(arrays);
+    vectors.TakeOutNormalParts(mesh, view.Relation());
+    references = vectors.OnFaces(mesh);
   }
   else
   {

@@ -1,7 +1,6 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
 #include "Adapters/Pipeline/FilterOutputs.h"
-#include "Mesh/NormalParts.h"
 #include "Support/ShortText.h"
 
 #include <utility>
@@ -56,14 +55,7 @@ FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, con
   const FramedSurface surface = view.Surface();
   VectorsOnSurface vectors = view.Vectors(arrays);
   const Points onFaces = vectors.OnFaces(view.Mesh());
-  double ratioAtRim = 0.0;
-  if (vectors.AreAtVertices)
-  {
-    SplitVectors split = WithoutNormalParts(view.Mesh(), vectors.Values, vectors.AtCorners);
-    vectors.Values = std::move(split.Tangential);
-    vectors.AtCorners = std::move(split.AtCorners);
-    ratioAtRim = split.RatioAtRim;
-  }
+  const double ratioAtRim = vectors.TakeOutNormalParts(view.Mesh(), surface.Relation);
   FaceFlow flow = FlowOf(surface.Geometry, onFaces, vectors.OnFaces(view.Mesh()));
   flow.Warning = WarningOfRim(ratioAtRim);
   flow.Derivatives = [surface, vectors](const ExecutionContext& loops)

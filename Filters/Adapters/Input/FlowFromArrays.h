@@ -31,8 +31,8 @@ struct FaceFlow
 /// \throw InvalidInput as VectorArrays.
 VectorArrays ArraysOfFlow(vtkAlgorithm* algorithm, vtkDataSet* dataset, const Vector3& axis);
 
-/// The flow that arrays hold (SurfaceView::Vectors). Of points, a face has the mean over its corners, of tangential parts
-/// (WithoutNormalParts), with a warning where parts along the normal spoil derivatives at the boundary.
+/// The flow that arrays hold (SurfaceView::Vectors), of tangential parts (VectorsOnSurface::TakeOutNormalParts). Of points, a face has the mean over
+/// its corners. There is a warning where parts along the normal spoil derivatives at the boundary.
 /// \throw WrongChoice as SurfaceView::Vectors. Cost: linear.
 FaceFlow FlowFromArrays(const SurfaceView& view, const VectorArrays& arrays, const ExecutionContext& context);
 

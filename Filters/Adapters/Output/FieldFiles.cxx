@@ -319,9 +319,15 @@ std::string RawFieldFileOf(vtkDataSet* surface)
       vectors.push_back(
         arrays[k] ? VectorOf(arrays[k], face, number) : Vector3(std::cos(angle) * first + std::sin(angle) * across));
     }
-    if (n > 2 && area.dot(vectors[0].cross(vectors[1])) < 0.0) // the other way round in the file than for the solver
+    if (size > 0.0) // arrays may be in any order, and the other way round in the file than for the solver
     {
-      std::reverse(vectors.begin() + 1, vectors.end());
+      const auto angleOf = [&first, normal = Vector3(area / size)](const Vector3& vector)
+      {
+        const double angle = std::atan2(normal.dot(first.cross(vector)), first.dot(vector));
+        return angle < 0.0 ? angle + 2.0 * Pi : angle;
+      };
+      std::stable_sort(vectors.begin() + 1, vectors.end(),
+        [&angleOf](const Vector3& a, const Vector3& b) { return angleOf(a) < angleOf(b); });
     }
     text += LineOf(vectors);
   }

@@ -5,6 +5,7 @@
 #include "Adapters/View/FillValues.h"
 #include "Adapters/View/HiddenGaps.h"
 #include "Adapters/View/SurfaceView.h"
+#include "Mesh/NormalParts.h"
 #include "Pieces/ScaleFilterInPieces.h"
 #include "Support/ComplexPairs.h"
 
@@ -109,10 +110,56 @@ void Read(const QuantityArrays& quantities, const SurfaceView& own, const PieceO
     ReadFlow& flow = all.Flows[k];
     for (int here = 0; here < vectors.rows(); ++here)
     {
-      flow.Given[vertices[here]] = piece.Surface().Vertices.ToComplex(vertices[here], vectors.row(here).transpose());
+      // The rank's own triangles alone would not tell the normals at seams.
+      const int vertex = vertices[here];
+      flow.Given[vertex] = piece.Surface().Vertices.ToComplex(
+        vertex, WithoutNormalPart(piece.Surface().Mesh, vertex, vectors.row(here).transpose()));
     }
     flow.AtVertices = AsPairs(flow.Given);
   }
+}
+
+/// The quantities that the ranks filter: all have the same names, or there is a reason why they do not filter where they are.
+struct FoundQuantities
+{
+  std::optional<QuantityArrays> Own; ///< of the piece of this rank; none where it has no cells
+  std::string Names;                 ///< of all ranks
+  std::string Reason;                ///< a clause for the user
+};
+
+/// The quantities, found by all ranks together.
+FoundQuantities FindOnRanks(const ScalesOfPieces::FindFunction& find, const ScaleSurface::Settings& settings,
+  const ScaleOptions& options, const RanksOfPipeline& ranks, vtkDataSet* piece)
+{
+  FoundQuantities found;
+  std::string names;
+  ranks.Together(
+    [&]
+    {
+      ScaleFilterOptions solver;
+      solver.Solver.Kind = settings.Solver;
+      found.Reason = ReasonToGather(solver);
+      if (piece->GetNumberOfCells() > 0 && found.Reason.empty())
+      {
+        try
+        {
+          found.Own.emplace(find(piece));
+          found.Reason = ReasonOf(*found.Own, options, piece);
+          names = NamesOf(*found.Own);
+        }
+        catch (const WrongChoice&)
+        {
+          found.Reason = "there is no choice of arrays"; // one process says more
+        }
+      }
+    });
+  found.Names = ranks.FirstText(names);
+  if (found.Reason.empty() && found.Own && names != found.Names)
+  {
+    found.Reason = "pieces have different arrays";
+  }
+  found.Reason = ranks.FirstText(found.Reason);
+  return found;
 }
 
 }
@@ -123,35 +170,13 @@ std::string ScalesOfPieces::Filter(vtkAlgorithm* filter, const FindFunction& fin
   const ExecutionContext& context)
 {
   vtkDataSet* const piece = vtkDataSet::GetData(inputs[0]);
-  std::optional<QuantityArrays> quantities;
-  std::string reason, names;
-  ranks.Together(
-    [&]
-    {
-      ScaleFilterOptions solver;
-      solver.Solver.Kind = settings.Solver;
-      reason = ReasonToGather(solver);
-      if (piece->GetNumberOfCells() > 0 && reason.empty())
-      {
-        try
-        {
-          quantities.emplace(find(piece));
-          reason = ReasonOf(*quantities, options, piece);
-          names = NamesOf(*quantities);
-        }
-        catch (const WrongChoice&)
-        {
-          reason = "there is no choice of arrays"; // one process says more
-        }
-      }
-    });
-  const std::string namesOfAll = ranks.FirstText(names);
-  reason = reason.empty() && quantities && names != namesOfAll ? "pieces have different arrays" : reason;
-  if (reason = ranks.FirstText(reason); !reason.empty())
+  const FoundQuantities found = FindOnRanks(find, settings, options, ranks, piece);
+  if (!found.Reason.empty())
   {
-    return reason;
+    return found.Reason;
   }
-  if (reason = this->Pieces.SetSurface(ranks, piece, preparation, PartOfContext(context, 0.0, 0.2)); !reason.empty())
+  std::string reason = this->Pieces.SetSurface(ranks, piece, preparation, PartOfContext(context, 0.0, 0.2));
+  if (!reason.empty())
   {
     return reason;
   }
@@ -163,17 +188,17 @@ std::string ScalesOfPieces::Filter(vtkAlgorithm* filter, const FindFunction& fin
   this->Scales.SetFilters(part.Surface(), settings,
     [&part](const ScaleFilterOptions& asked, const ExecutionContext& now)
     { return ScaleFilterInPieces(part, asked, now); });
-  ReadQuantities read = ZerosOf(namesOfAll, part.NumberOfVertices());
+  ReadQuantities read = ZerosOf(found.Names, part.NumberOfVertices());
   SurfaceView view(piece);
   ranks.Together(
     [&]
     {
-      if (quantities)
+      if (found.Own)
       {
         SurfaceView own(piece);
         own.Prepare(preparation, *this->Pieces.Own(), this->Pieces.Preparation());
-        Read(*quantities, own, part, read);
-        view.TakeIf<HiddenGaps>(true, quantities->WithGaps(), "data");
+        Read(*found.Own, own, part, read);
+        view.TakeIf<HiddenGaps>(true, found.Own->WithGaps(), "data");
       }
       view.Prepare(preparation, this->Pieces.Surface(), this->Pieces.Preparation());
       view.StartOutput(vtkDataSet::GetData(outputs, 0), filter->GetClassName());

@@ -123,7 +123,8 @@ void Run::Read(const QuantityArrays& quantities, const ExecutionContext& context
     ReadFlow flow{ each.Name, each.Arrays.AreOnPoints(),
       FlowFromArrays(this->View, each.Arrays, PartOfContext(part, 0.0, 0.1)).Tangential };
     const Vector<Complex> onFaces = flow.Given;
-    const VectorsOnSurface vectors = this->View.Vectors(each.Arrays);
+    VectorsOnSurface vectors = this->View.Vectors(each.Arrays);
+    vectors.TakeOutNormalParts(this->View.Mesh(), this->View.Relation());
     flow.Given.resize(vectors.Values.rows());
     const TangentFrames& frames = vectors.AreAtVertices ? this->On.Vertices : this->On.Faces;
     for (int element = 0; element < flow.Given.size(); ++element)

@@ -91,6 +91,25 @@ std::vector<int> FirstsOf(const std::vector<int>& numbers)
   return indices;
 }
 
+/// The mesh of this rank's piece, and the piece as the solver takes it; none where it has no cells. Collective.
+std::optional<SurfaceMesh> MeshOfPiece(const RanksOfPipeline& ranks, vtkDataSet* input, PreparationOptions preparation,
+  SurfacePiece& piece, const ExecutionContext& context)
+{
+  std::optional<SurfaceMesh> mesh;
+  preparation.KeepsSides = true;
+  ranks.Together(
+    [&]
+    {
+      if (input->GetNumberOfCells() > 0)
+      {
+        mesh = MeshFromDataSet(input, preparation, context);
+        piece.Positions = mesh->Mesh.VertexPositions();
+        piece.Corners = mesh->Mesh.FaceCorners();
+      }
+    });
+  return mesh;
+}
+
 }
 
 std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet* input,
@@ -113,20 +132,8 @@ std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet*
     return "the ranks of VTK's controller are not those of MPI";
   }
   const Stopwatch watch;
-  std::optional<SurfaceMesh> mesh;
   SurfacePiece piece;
-  ranks.Together(
-    [&]
-    {
-      if (!isEmpty)
-      {
-        PreparationOptions ofPiece = preparation;
-        ofPiece.KeepsSides = true;
-        mesh = MeshFromDataSet(input, ofPiece, PartOfContext(context, 0.0, 0.4));
-        piece.Positions = mesh->Mesh.VertexPositions();
-        piece.Corners = mesh->Mesh.FaceCorners();
-      }
-    });
+  std::optional<SurfaceMesh> mesh = MeshOfPiece(ranks, input, preparation, piece, PartOfContext(context, 0.0, 0.4));
   AgreeOnSeams(ranks, isEmpty ? nullptr : &mesh->Mesh, RoundOffOfPoints(input), piece.Positions);
   this->Reason.clear();
   this->OwnRelation =

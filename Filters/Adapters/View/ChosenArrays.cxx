@@ -238,8 +238,10 @@ ConstraintArrays FindArrays(
   {
     if (other.Array && !vectors.Array)
     {
+      // Guides have no values, and take no tensors.
       throw InvalidInput(NameOf(other.Array) + " is chosen as mask or weights of " + whose +
-        ", and no directions are; choose an array of vectors as well");
+        (takesTensors ? ", and neither directions nor values are" : ", and no directions are") +
+        "; choose an array of vectors as well" + (takesTensors ? ", or one of numbers for Values of a function" : ""));
     }
     if (other.Array && other.Association != vectors.Association)
     {

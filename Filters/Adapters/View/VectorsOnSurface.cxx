@@ -1,10 +1,13 @@
 #include "Adapters/View/VectorsOnSurface.h"
 
+#include "Mesh/NormalParts.h"
+
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dmg
 {
@@ -84,6 +87,15 @@ vtkIdType PointAt(vtkIdList* points, int vertex, const SurfaceRelation& relation
   return found == points->end() ? relation.PointOf(vertex) : *found;
 }
 
+}
+
+double VectorsOnSurface::TakeOutNormalParts(const TriangleMesh& mesh, const SurfaceRelation& relation)
+{
+  SplitVectors split = this->AreAtVertices ? WithoutNormalParts(mesh, this->Values, this->AtCorners)
+                                           : WithoutNormalPartsOfCells(mesh, relation, this->Values);
+  this->Values = std::move(split.Tangential);
+  this->AtCorners = std::move(split.AtCorners);
+  return split.RatioAtRim;
 }
 
 Points VectorsOnSurface::OnFaces(const TriangleMesh& mesh) const

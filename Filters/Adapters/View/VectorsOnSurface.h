@@ -24,6 +24,9 @@ struct VectorsOnSurface
   /// The places of vectors of cells, #F x 3: the CellCentres, but where a step has moved corners (SurfaceStep::PlaceOfCell).
   Points Places{};
 
+  /// Takes out their parts along the normals of the surface (WithoutNormalParts). \return SplitVectors::RatioAtRim. Cost: linear.
+  double TakeOutNormalParts(const TriangleMesh& mesh, const SurfaceRelation& relation);
+
   /// The vectors on the faces. Of vertices, these are the means over the corners.
   Points OnFaces(const TriangleMesh& mesh) const;
 };

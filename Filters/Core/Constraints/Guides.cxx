@@ -2,6 +2,7 @@
 
 #include "Constraints/SegmentOnSurface.h"
 #include "Constraints/WeightsOfFaces.h"
+#include "Mesh/NormalParts.h"
 #include "Mesh/SpatialOrder.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
@@ -128,6 +129,11 @@ private:
   void AddSegment(const Element& element);
   bool AddPart(const SegmentPart& part, const Element& element);
   void AddToPath(const SegmentPart& part, const SegmentPart* before);
+  void Prescribe(const Constraint& direction, const Vector3& place)
+  {
+    this->Result.Directions.push_back(direction);
+    this->Result.Places.push_back(place);
+  }
 
   const NearestPlaces& Nearest;
   const WeightsOfFaces& Weights;
@@ -150,7 +156,7 @@ void Projection::AddVector(const Element& element)
   }
   ++report.Taken;
   report.Farthest = std::max(report.Farthest, place.Distance);
-  this->Result.Directions.push_back({ place.Face, *element.Direction, element.Weight });
+  this->Prescribe({ place.Face, *element.Direction, element.Weight }, place.Position);
 }
 
 void Projection::AddSegment(const Element& element)
@@ -192,8 +198,10 @@ bool Projection::AddPart(const SegmentPart& part, const Element& element)
   }
   // A chord leans into the surface; that says nothing about how strong the field shall be.
   const double length = element.Direction ? 1.0 : std::abs(tangential);
-  this->Result.Directions.push_back({ part.Face, frames.ToVector(part.Face, tangential / length),
-    element.Weight * this->Weights.OfLine(part.Face, part.Length), -2 });
+  const double weight = element.Weight * this->Weights.OfLine(part.Face, part.Length);
+  const Vector3 middle = 0.5 * part.Start + 0.5 * part.End;
+  this->Prescribe(
+    { part.Face, element.Direction ? given : frames.ToVector(part.Face, tangential / length), weight, -2 }, middle);
   return true;
 }
 
@@ -249,27 +257,29 @@ struct FollowedRun
   std::vector<int> Ends;
 };
 
-/// The directions of all elements one after the other, from runs of them in another order.
-std::vector<Constraint> InOrderOfElements(const std::vector<FollowedRun>& runs, const std::vector<int>& order)
+/// The directions of all elements one after the other, or their places, from runs of them in another order.
+template <class Item>
+std::vector<Item> InOrderOfElements(
+  const std::vector<FollowedRun>& runs, const std::vector<int>& order, std::vector<Item> FollowedGuides::*items)
 {
   std::vector<int> starts(order.size() + 1, 0);
-  const auto visit = [&runs, &order](const auto& each)
+  const auto visit = [&](const auto& each)
   {
     std::size_t next = 0;
     for (const FollowedRun& run : runs)
     {
       for (std::size_t i = 0; i < run.Ends.size(); ++i)
       {
-        each(order[next++], run.Guides.Directions.data() + (i == 0 ? 0 : run.Ends[i - 1]),
-          run.Guides.Directions.data() + run.Ends[i]);
+        const Item* const first = (run.Guides.*items).data();
+        each(order[next++], first + (i == 0 ? 0 : run.Ends[i - 1]), first + run.Ends[i]);
       }
     }
   };
-  visit([&starts](int element, const Constraint* first, const Constraint* last)
+  visit([&starts](int element, const Item* first, const Item* last)
     { starts[element + 1] = static_cast<int>(last - first); });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Constraint> all(starts.back());
-  visit([&starts, &all](int element, const Constraint* first, const Constraint* last)
+  std::vector<Item> all(starts.back());
+  visit([&starts, &all](int element, const Item* first, const Item* last)
     { std::copy(first, last, all.begin() + starts[element]); });
   return all;
 }
@@ -349,8 +359,19 @@ FollowedGuides FollowGuides(const Guides& guides, const NearestPlaces& surface, 
   {
     Add(run.Guides.Report, all.Report);
   }
-  all.Directions = InOrderOfElements(runs, order);
+  all.Directions = InOrderOfElements(runs, order, &FollowedGuides::Directions);
+  all.Places = InOrderOfElements(runs, order, &FollowedGuides::Places);
   return all;
+}
+
+void TakeOutNormalParts(FollowedGuides& guides, const TriangleMesh& mesh, int firstFace)
+{
+  for (std::size_t i = 0; i < guides.Directions.size(); ++i)
+  {
+    Constraint& on = guides.Directions[i];
+    const Vector3 tangential = WithoutNormalPartAt(mesh, firstFace + on.Element, guides.Places[i], on.Direction);
+    on.Direction = tangential.isZero(0.0) ? on.Direction : tangential; // it was not perpendicular to the face
+  }
 }
 
 }

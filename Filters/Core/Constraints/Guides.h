@@ -18,11 +18,12 @@ struct GuideLine
   std::vector<Vector3> Points;
   /// Weights: one for each segment, or one for all of them, >= 0; none: 1. Their unit is that of features (FeatureOptions).
   std::vector<double> Weights = {};
-  /// The direction that it prescribes; none: its own, of unit length.
+  /// The direction that it prescribes, without a part along the normal, as that of a GuideVector; none: its own, of unit length.
   std::optional<Vector3> Direction = {};
 };
 
-/// A vector in space that a field follows on the nearest face.
+/// A vector in space that a field follows on the nearest face. A part along the normal of the surface does not count, if the vector is farther than 5
+/// degrees from the normal.
 struct GuideVector
 {
   Vector3 Position;
@@ -69,6 +70,7 @@ struct GuidesReport
 struct FollowedGuides
 {
   std::vector<Constraint> Directions;
+  std::vector<Vector3> Places; ///< of these directions, near to their faces
   GuidesReport Report;
 };
 
@@ -81,6 +83,12 @@ void CheckGuides(const Guides& guides);
 /// Cost: logarithmic time for each vector, for each face that a line touches, and for each mean edge of its length.
 FollowedGuides FollowGuides(
   const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context = SerialContext());
+
+/// Takes parts along normals out of directions that do not lie in their faces (WithoutNormalPartAt). A face alone knows its normal in first order: such a
+/// part would turn the direction by its size times the length of a side.
+/// \param mesh on which all vertices of the faces have all their faces. \param firstFace face of the mesh that is element 0.
+/// Cost: linear in the directions.
+void TakeOutNormalParts(FollowedGuides& guides, const TriangleMesh& mesh, int firstFace = 0);
 
 }
 

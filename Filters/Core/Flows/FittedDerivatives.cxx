@@ -183,6 +183,20 @@ public:
     return TransportTurn(frames, element, this->Surface.Vertices, this->Centre) * frames.ToComplex(element, vector);
   }
 
+  /// The mean over the faces of a cell, so that it does not matter into which triangles a cell that bends was cut, nor which is the first.
+  Complex CarriedOfCell(int face, const Vector3& vector) const
+  {
+    Complex sum = 0.0;
+    double area = 0.0;
+    for (const int part : this->Relation.FacesOf(this->Relation.CellOf(face)))
+    {
+      const double weight = this->Surface.Mesh.FaceArea(part);
+      sum += weight * this->Carried(this->Surface.Faces, part, vector);
+      area += weight;
+    }
+    return area > 0.0 ? sum / area : this->Carried(this->Surface.Faces, face, vector);
+  }
+
   /// The scaling of places for which the vertices have the variance 1 in all directions.
   Eigen::Matrix2d Scaling() const
   {
@@ -345,8 +359,8 @@ DerivativesAtVertices DerivativesOfCellVectors(const FramedMesh& surface, const 
       {
         if (relation.FacesOf(relation.CellOf(face)).front() == face) // once for each cell
         {
-          fit.Add(around.Place(places.row(face).transpose()),
-            around.Carried(surface.Faces, face, vectors.row(face).transpose()));
+          fit.Add(
+            around.Place(places.row(face).transpose()), around.CarriedOfCell(face, vectors.row(face).transpose()));
         }
       }
     });

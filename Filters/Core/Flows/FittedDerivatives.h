@@ -34,11 +34,12 @@ std::string WarningOfUndetermined(const DerivativesAtVertices& derivatives);
 /// a quadrilateral of a globe (SurfaceRelation::CentreOf).
 Points CellCentres(const TriangleMesh& mesh, const SurfaceRelation& relation);
 
-/// \param vectors in space at the vertices, #V x 3; their tangential parts count.
+/// \param vectors in space at the vertices, #V x 3; their tangential parts count, without those along normals (WithoutNormalParts).
 DerivativesAtVertices DerivativesOfVertexVectors(const FramedMesh& surface, const SurfaceRelation& relation,
   const Points& vectors, const ExecutionContext& context = SerialContext());
 
-/// \param vectors in space, #F x 3: row f is that of the cell of face f. \param places where these vectors stand, such as the CellCentres.
+/// \param vectors in space, #F x 3: row f is that of the cell of face f; their tangential parts count, without those along normals
+/// (WithoutNormalPartsOfCells). \param places where these vectors stand, such as the CellCentres.
 DerivativesAtVertices DerivativesOfCellVectors(const FramedMesh& surface, const SurfaceRelation& relation,
   const Points& vectors, const Points& places, const ExecutionContext& context = SerialContext());
 

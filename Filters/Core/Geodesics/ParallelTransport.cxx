@@ -4,6 +4,7 @@
 #include "Geodesics/DiffusionOperators.h"
 #include "Geodesics/IntrinsicTriangulation.h"
 #include "Geodesics/ShortestPaths.h"
+#include "Mesh/NormalParts.h"
 #include "Mesh/VertexConnection.h"
 #include "Operators/FunctionSource.h"
 #include "Solvers/Direct/CholeskySolver.h"
@@ -219,8 +220,9 @@ std::map<int, Complex> ParallelTransport::Internals::VectorsOf(
   for (const Constraint& at : sources.AtVertices)
   {
     CheckElement(at.Element, mesh.NumberOfVertices(), "vertex");
+    const Vector3 direction = WithoutNormalPart(mesh, this->Surface.Vertices, at.Element, at.Direction);
     const Complex vector =
-      TangentialPart(this->Surface.Vertices, at.Element, at.Direction, at.Weight, names.Vertex(at.Element), "vertex");
+      TangentialPart(this->Surface.Vertices, at.Element, direction, at.Weight, names.Vertex(at.Element), "vertex");
     add(at.Element, vector / std::abs(vector), std::abs(vector), at.Weight);
   }
   for (const Constraint& on : sources.OnFaces)

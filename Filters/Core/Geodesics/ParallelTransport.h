@@ -72,7 +72,8 @@ public:
 
   /// Each place has the direction and the length of the vector of the nearest source, and a face the mean direction and the mean length of its
   /// corners.
-  /// \param sources directions at vertices and on faces; their tangential part is carried. Weights are the shares of copies. Several
+  /// \param sources directions at vertices and on faces; their tangential part is carried, at vertices without that along
+  ///   NormalOfVertex. Weights are the shares of copies. Several
   ///   at one vertex are averaged.
   /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element; CheckSizes.
   /// \throw Cancelled

@@ -509,6 +509,53 @@ TEST(Guides, GiveDirectionsInTheirOrder)
   }
 }
 
+// A vector that leans out of an ellipsoid, as the velocity of a particle over it: errors of its direction by the surface's normal are of second
+// order, whatever its part along the normal is. By the normals of faces they would be of first order.
+TEST(Guides, CountWithoutTheirPartsAlongTheNormal)
+{
+  const Vector3 axes(1.0, 0.8, 0.6);
+  const auto meanError = [&axes](int subdivisions, double part)
+  {
+    Surface ellipsoid = IrregularSphere(subdivisions, 7, 0.1);
+    ellipsoid.V = ellipsoid.V * axes.asDiagonal();
+    const FramedMesh surface(ellipsoid.Mesh());
+    Guides guides;
+    std::vector<Vector3> tangents;
+    for (int i = 0; i < 500; ++i)
+    {
+      const Vector3 at(std::sin(1.7 * i), std::sin(2.9 * i + 1.0), std::cos(4.3 * i));
+      const Vector3 place = at.normalized().cwiseProduct(axes);
+      const Vector3 normal = place.cwiseQuotient(axes.cwiseAbs2()).normalized();
+      tangents.push_back(normal.cross(Vector3::UnitX()).normalized());
+      guides.Vectors.push_back({ place, tangents.back() + part * normal });
+      guides.Lines.push_back({ { place, place + 1e-3 * tangents.back() }, {}, tangents.back() + part * normal });
+    }
+    FollowedGuides followed = FollowGuides(guides, NearestPlaces(surface));
+    TakeOutNormalParts(followed, surface.Mesh);
+    double sum = 0.0;
+    int number = 0;
+    for (std::size_t i = 0; i < followed.Directions.size(); ++i)
+    {
+      const Constraint& on = followed.Directions[i];
+      const bool isOfVector = i + tangents.size() >= followed.Directions.size();
+      const Vector3 at = followed.Places[i].cwiseQuotient(axes.cwiseAbs2()).normalized();
+      const Vector3 right = isOfVector ? tangents[i + tangents.size() - followed.Directions.size()]
+                                       : Vector3(at.cross(Vector3::UnitX()).normalized());
+      const Complex z = surface.Faces.ToComplex(on.Element, on.Direction);
+      const bool isAtPole = std::abs(at.x()) > 0.9; // where the right direction turns quickly
+      sum += isAtPole ? 0.0 : std::abs(std::arg(z / surface.Faces.ToComplex(on.Element, right)));
+      number += isAtPole ? 0 : 1;
+    }
+    return sum / number;
+  };
+  for (const double part : { 1.0, 5.0 })
+  {
+    const double coarse = meanError(3, part), fine = meanError(4, part);
+    EXPECT_LT(coarse, 0.01 * part);
+    EXPECT_LT(fine, 0.35 * coarse) << part;
+  }
+}
+
 // One path for each segment, from below its start to below its end, without gaps.
 TEST(Guides, HavePathsOnTheSurfaceBelowTheirLines)
 {

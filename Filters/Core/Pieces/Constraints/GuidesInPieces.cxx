@@ -270,28 +270,10 @@ FramedMesh MeshOf(const std::vector<TravellingTriangle>& triangles, const Execut
 struct TravellingDirection
 {
   int Triangle;
-  double Numbers[3];
+  double Numbers[3], Place[3];
   double Weight;
   int Side;
 };
-
-std::vector<Constraint> ToTheirRanks(
-  const Ranks& ranks, const std::vector<Constraint>& directions, const std::vector<TravellingTriangle>& triangles)
-{
-  std::vector<std::vector<TravellingDirection>> toRanks(ranks.Size());
-  for (const Constraint& direction : directions)
-  {
-    const PlaceOnRank& place = triangles[direction.Element].Place;
-    const Vector3& v = direction.Direction;
-    toRanks[place.Rank].push_back({ place.Number, { v[0], v[1], v[2] }, direction.Weight, direction.Side });
-  }
-  std::vector<Constraint> own;
-  for (const TravellingDirection& direction : ranks.Exchange(toRanks).Items)
-  {
-    own.push_back({ direction.Triangle, Vector3(direction.Numbers), direction.Weight, direction.Side });
-  }
-  return own;
-}
 
 GuidesReport OfAllRanks(const Ranks& ranks, const GuidesReport& share)
 {
@@ -303,6 +285,27 @@ GuidesReport OfAllRanks(const Ranks& ranks, const GuidesReport& share)
   }
   all.Farthest = ranks.Max(share.Farthest);
   return all;
+}
+
+FollowedGuides ToTheirRanks(
+  const Ranks& ranks, const FollowedGuides& followed, const std::vector<TravellingTriangle>& triangles)
+{
+  std::vector<std::vector<TravellingDirection>> toRanks(ranks.Size());
+  for (std::size_t i = 0; i < followed.Directions.size(); ++i)
+  {
+    const Constraint& direction = followed.Directions[i];
+    const PlaceOnRank& place = triangles[direction.Element].Place;
+    const Vector3 &v = direction.Direction, &p = followed.Places[i];
+    toRanks[place.Rank].push_back(
+      { place.Number, { v[0], v[1], v[2] }, { p[0], p[1], p[2] }, direction.Weight, direction.Side });
+  }
+  FollowedGuides own{ {}, {}, OfAllRanks(ranks, followed.Report) };
+  for (const TravellingDirection& direction : ranks.Exchange(toRanks).Items)
+  {
+    own.Directions.push_back({ direction.Triangle, Vector3(direction.Numbers), direction.Weight, direction.Side });
+    own.Places.emplace_back(direction.Place);
+  }
+  return own;
 }
 
 }
@@ -328,7 +331,9 @@ FollowedGuides FollowGuidesInPieces(const Guides& guides, const PieceOfSurface& 
       const FramedMesh mesh = MeshOf(triangles, context);
       followed = FollowGuides(shareOf(ranks.Rank()), NearestPlaces(mesh, sizes), PartOfContext(context, 0.5, 1.0));
     });
-  return { ToTheirRanks(ranks, followed.Directions, triangles), OfAllRanks(ranks, followed.Report) };
+  FollowedGuides own = ToTheirRanks(ranks, followed, triangles);
+  TakeOutNormalParts(own, piece.Surface().Mesh, piece.FirstOwnFace()); // which has all triangles around its own ones
+  return own;
 }
 
 }
