@@ -23,7 +23,7 @@
  * | Direction | cells  | 1          | int    | 0 for the direction of the chosen array, 1 for the next one, ... N - 1 |
  * | Glyph     | cells  | 1          | int    | number of the place                                        |
  * | Magnitude | cells  | 1          | double | of the field in the triangle at the centre                 |
- * | Normals   | points | 3          | double | of the surface; the active normals                         |
+ * | Normals   | points | 3          | float  | of the surface; the active normals                         |
  *
  * Normals are unit vectors, and half as long at thin walls, as of vtkFieldLines.
  *

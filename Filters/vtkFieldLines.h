@@ -28,7 +28,7 @@
  * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array                    |
  * | Seed      | cells  | 1          | int    | number of the line, in the order in which they were drawn  |
  * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
- * | Normals   | points | 3          | double | of the surface; the active normals, for ribbons            |
+ * | Normals   | points | 3          | float  | of the surface; the active normals, for ribbons            |
  *
  * Normals are unit vectors, and half as long at thin walls, of which lines show from their own side alone: where another sheet lies behind
  * within a hundredth of the surface's size (GetInkShader). Of two open sheets, normals point away from each other.

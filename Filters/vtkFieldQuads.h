@@ -39,7 +39,7 @@
  * | Irregular      | points | 1          | int    | number of quads less 4; 0 on the boundary                       |
  * | ScaledJacobian | cells  | 1          | double | least sine of the corners, 1 for rectangles, < 0 if inverted    |
  * | CornersOnGrid  | cells  | 8          | double | u and v of its corners: each quad is a square of an integer grid that is cut between irregular points |
- * | GridCoordinates | points | 2         | double | only with CutForTextures: the same at points; texture coordinates, where the surface has no active ones |
+ * | GridCoordinates | points | 2         | float | only with CutForTextures: the same at points; texture coordinates, where the surface has no active ones |
  *
  * The field data say, of distances: DistanceFromQuads of the surface, largest and mean; FarthestPlace, where it is largest; and
  * DistanceFromSurface of the quads, largest and mean. AreaShares has by component the area of quads over that of the surface, and

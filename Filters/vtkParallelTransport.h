@@ -21,7 +21,7 @@
  *
  * @section vtkParallelTransport-Output Output
  *
- * Port 0: of the type of the input, with all its arrays, and, as double:
+ * Port 0: of the type of the input, with all its arrays, and, as double but for TextureCoordinates, which are float:
  *
  * | array              | of            | components | meaning                                                                       |
  * | ------------------ | ------------- | ---------- | ----------------------------------------------------------------------------- |

@@ -3,6 +3,7 @@
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkFieldLinesRepresentation.h"
+#include "vtkInkRepresentation.h"
 #include "vtkSMCenteredColorsInitializationHelper.h"
 #include "vtkSMChosenPointInitializationHelper.h"
 #include "vtkSMConvergenceChartInitializationHelper.h"
@@ -37,5 +38,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMHiddenDrawingsInitializationHelper>(interpreter, "vtkSMHiddenDrawingsInitializationHelper");
       Register<vtkSMSpectrumChartInitializationHelper>(interpreter, "vtkSMSpectrumChartInitializationHelper");
       vtkFieldLinesRepresentation::Register(interpreter);
+      vtkInkRepresentation::Register(interpreter);
     });
 }

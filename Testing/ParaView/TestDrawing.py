@@ -374,6 +374,30 @@ class Drawing(unittest.TestCase):
         self.assertLess(abs(self.ink(view) / of_crosses - 0.5), 0.1)
         simple.Delete(view)
 
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_lines_are_as_wide_in_a_large_picture(self):
+        """They cover as much of it with four times as many pixels across, and again in the view."""
+        field = simple.DirectionalField(Input=simple.Plane(XResolution=20, YResolution=20), LineDistance=0.05,
+                                        Guides=simple.Line(Point1=[-0.3, -0.2, 0], Point2=[0.3, 0.1, 0]))
+        view = simple.CreateRenderView(ViewSize=[400, 400], OrientationAxesVisibility=0)
+        simple.Show(field, view).Representation = "Surface"
+        simple.ResetCamera(view)
+
+        def blue(resolution):
+            """In the mean of the picture: lines take some away, however few pixels they are wide."""
+            return self.colours(view, ImageResolution=[resolution, resolution])[:, 2].astype(float).mean()
+
+        bare = {resolution: blue(resolution) for resolution in (400, 1600)}
+        for port, kind in ((1, "Ink"), (3, "Guide Ink")):
+            shown = simple.Show(simple.OutputPort(field, port), view)
+            self.assertEqual(shown.Representation, kind)
+            taken, of_large, again = (bare[resolution] - blue(resolution) for resolution in (400, 1600, 400))
+            self.assertGreater(taken, 0.2)
+            self.assertLess(abs(of_large / taken - 1), 0.15, kind)
+            self.assertEqual(again, taken)
+            simple.Hide(simple.OutputPort(field, port), view)
+        simple.Delete(view)
+
     def ink(self, view):
         return (np.abs(self.colours(view).astype(int) - (26, 51, 153)).max(axis=1) < 40).sum()
 
@@ -395,9 +419,9 @@ class Drawing(unittest.TestCase):
         simple.Delete(view)
 
     @staticmethod
-    def colours(view):
+    def colours(view, **options):
         simple.Render(view)
-        simple.SaveScreenshot(IMAGE, view)
+        simple.SaveScreenshot(IMAGE, view, **options)
         reader = vtkPNGReader()
         reader.SetFileName(IMAGE)
         reader.Update()

@@ -87,10 +87,18 @@ void CarryPoints(const QuadMesh& quads, const std::vector<int>& vertices, const 
 /// Places on the grid: of the corners of quads, and of points, where these have one each; the latter as texture coordinates, if the surface has none.
 void AddGrid(const QuadMesh& quads, const std::vector<std::array<int, 2>>& places, vtkPolyData* output)
 {
+  int least = 0; // so that all are positive
+  for (const auto& corners : quads.Grid)
+  {
+    for (const auto& [u, v] : corners)
+    {
+      least = std::min({ least, u, v });
+    }
+  }
   const auto ofCorners = NewArray("CornersOnGrid", 8, static_cast<vtkIdType>(quads.Grid.size()));
   for (vtkIdType number = 0; number < ofCorners->GetNumberOfValues(); ++number)
   {
-    ofCorners->SetValue(number, quads.Grid[number / 8][number % 8 / 2][number % 2]);
+    ofCorners->SetValue(number, quads.Grid[number / 8][number % 8 / 2][number % 2] - least);
   }
   output->GetCellData()->AddArray(ofCorners);
   if (places.empty())
@@ -100,16 +108,16 @@ void AddGrid(const QuadMesh& quads, const std::vector<std::array<int, 2>>& place
   const auto ofPoints = NewArray("GridCoordinates", 2, static_cast<vtkIdType>(places.size()));
   for (vtkIdType number = 0; number < ofPoints->GetNumberOfValues(); ++number)
   {
-    ofPoints->SetValue(number, places[number / 2][number % 2]);
+    ofPoints->SetValue(number, places[number / 2][number % 2] - least);
   }
   vtkPointData* const pointData = output->GetPointData();
   if (pointData->GetTCoords())
   {
-    pointData->AddArray(ofPoints);
+    pointData->AddArray(AsTextureCoordinates(ofPoints));
   }
   else
   {
-    pointData->SetTCoords(ofPoints);
+    pointData->SetTCoords(AsTextureCoordinates(ofPoints));
   }
 }
 
@@ -225,7 +233,7 @@ void MapToPolyData(const QuadMesh& quads, const SurfaceView& view, vtkPolyData* 
   }
   drawing.Finish(output);
   carried.Finish();
-  ofPoints->SetTCoords(coordinates);
+  ofPoints->SetTCoords(AsTextureCoordinates(coordinates));
 }
 
 void IrregularToPolyData(const QuadMesh& quads, double radius, vtkPolyData* output)

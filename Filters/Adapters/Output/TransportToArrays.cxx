@@ -4,6 +4,7 @@
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolyDataBuilder.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -66,6 +67,7 @@ void WriteMap(const dmg::LogarithmicMap& map, int vertex, const SidesOfSurface& 
   arrays.Add(GeodesicAngle, 1, degrees.data());
   arrays.Add(ArrayNames::LogarithmicMap, 2, coordinates);
   arrays.Add(TextureCoordinates, 2, inTexture.data());
+  output->GetPointData()->AddArray(AsTextureCoordinates(output->GetPointData()->GetArray(TextureCoordinates)));
   for (const char* const name : { GeodesicDistance, GeodesicAngle, ArrayNames::LogarithmicMap, TextureCoordinates })
   {
     AllowNaN(output->GetPointData()->GetArray(name)); // where no path leads

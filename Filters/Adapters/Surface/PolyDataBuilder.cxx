@@ -1,7 +1,10 @@
 #include "Adapters/Surface/PolyDataBuilder.h"
 
+#include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace dmg
@@ -39,15 +42,27 @@ void PolyDataBuilder::Finish(vtkPolyData* output) const
   }
 }
 
+vtkSmartPointer<vtkDataArray> AsTextureCoordinates(vtkDataArray* array)
+{
+  const auto copy = vtkSmartPointer<vtkFloatArray>::New();
+  copy->DeepCopy(array);
+  float* const numbers = copy->GetPointer(0);
+  std::replace(numbers, numbers + copy->GetNumberOfValues(), -1.0f, std::nextafter(-1.0f, 0.0f));
+  return copy;
+}
+
 void SetNormals(vtkPolyData* output, const std::vector<Vector3>& normals)
 {
-  std::vector<double> numbers;
+  std::vector<float> numbers;
   numbers.reserve(3 * normals.size());
   for (const Vector3& normal : normals)
   {
-    numbers.insert(numbers.end(), normal.begin(), normal.end());
+    for (const double number : normal)
+    {
+      numbers.push_back(static_cast<float>(number));
+    }
   }
-  output->GetPointData()->SetNormals(NewArray<vtkDoubleArray>("Normals", 3, numbers));
+  output->GetPointData()->SetNormals(NewArray<vtkFloatArray>("Normals", 3, numbers));
 }
 
 }

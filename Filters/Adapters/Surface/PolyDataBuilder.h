@@ -74,7 +74,11 @@ void AddToCells(vtkPolyData* output, const std::string& name, const Values& valu
   output->GetCellData()->AddArray(NewArray<Array>(name, 1, values));
 }
 
-/// Vectors as the active normals of points.
+/// A copy as writers of VTK take texture coordinates: in single precision, as that of PLY crashes with others; and none is -1, but the next number
+/// to it, as that of OBJ leaves those out, and all after them move up.
+vtkSmartPointer<vtkDataArray> AsTextureCoordinates(vtkDataArray* array);
+
+/// Vectors as the active normals of points, in single precision.
 void SetNormals(vtkPolyData* output, const std::vector<Vector3>& normals);
 
 }
