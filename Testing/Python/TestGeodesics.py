@@ -1,6 +1,7 @@
 """Vectors along shortest paths and logarithmic maps: transport(), and the filter behind it."""
 
 import unittest
+import warnings
 
 import numpy as np
 from directionalmultigrid import FieldError, transport
@@ -81,6 +82,21 @@ class Geodesics(unittest.TestCase):
         np.testing.assert_allclose(vectors[right], right.sum() * [[3, 0, 0]], atol=0.05)
         middle = transport(plane(), TextureSize=4)
         np.testing.assert_allclose(values(middle.GetPointData(), "TextureCoordinates"), 0.5 + places[:, :2] / 4, atol=1e-6)
+
+    def test_sources_of_very_different_lengths_are_no_fill_values(self):
+        surface = plane()
+        places = values_of_points(surface)
+        given = np.zeros_like(places)
+        for x, length in ((-1, 1), (1, 1e6)):
+            given[np.abs(places - [x, 0, 0]).sum(1).argmin()] = 0, length, 0
+        add(surface.GetPointData(), "Given", given)
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            result = transport(surface, "Given")
+        self.assertEqual([str(each.message) for each in said if "TransportedVectors" in str(each.message)], [])
+        lengths = np.linalg.norm(values(result.GetPointData(), "TransportedVectors"), axis=1)
+        np.testing.assert_allclose(lengths[places[:, 0] < -0.5], 1, rtol=1e-6)
+        np.testing.assert_allclose(lengths[places[:, 0] > 0.5], 1e6, rtol=1e-6)
 
     def test_cells(self):
         surface = plane()
