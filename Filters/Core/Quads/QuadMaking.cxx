@@ -88,8 +88,10 @@ private:
     QuadRound last = best;
     for (int attempt = 0; attempt < MostTries && error(last) > ToleranceOfNumber; ++attempt)
     {
+      const double before = scale;
       scale *= std::clamp(std::sqrt(this->RatioToWanted(last)), 0.5, 2.0);
-      last = this->Rounds.Refine(scale, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
+      last =
+        this->Rounds.RefineAgain(last, before, scale, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
       if (last.Badness() <= best.Badness() && error(last) < error(best))
       {
         best = last;

@@ -105,7 +105,7 @@ std::shared_ptr<const FinerSurface> SurfaceForQuads(const FramedMesh& surface, c
 /// Makes a pure quad mesh whose edges follow a cross field. See Quads.md for the method.
 ///
 /// The mesh has the Euler number of the surface, and each edge has a quad on each side, except on the boundary. Where quads are too
-/// large for a handle, a hole, a component or a limb, edges are halved there and around it, in up to six rounds. If that does not help, a
+/// large for a handle, a hole, a component or a limb, edges are halved there and around it, in up to 14 rounds. If that does not help, a
 /// component of few faces has three quads for each of them; else all edges are halved, twice at most. If that does not help either,
 /// there are no quads and QuadReport::Error says why; the map is there.
 ///

@@ -17,13 +17,14 @@ namespace dmg
 namespace
 {
 
-constexpr int MostRounds = 6;
+/// Necks of scans are as thin as a thousandth of a quad, and each round halves edges once.
+constexpr int MostRounds = 14;
 /// Rounds for what may be missing, though the mesh is good, end after so many that are no better.
 constexpr int MostIdleRounds = 2;
 /// Singularities are split at this distance, in edges of quads.
 constexpr double DistanceOfSplitting = 1.5;
 /// Edges are this much shorter at most where they were halved.
-constexpr double SmallestScale = 1.0 / 64.0;
+constexpr double SmallestScale = 1.0 / 1024.0;
 /// More quads would take gigabytes.
 constexpr double MostQuads = 1e7;
 /// Halving edges goes on until there are this many times more quads than at first: to make a mesh of the surface, and to miss nothing of it.
@@ -80,9 +81,23 @@ void QuadRounds::FitLengths(const ExecutionContext& context)
 
 QuadRound QuadRounds::Refine(double scale, const ExecutionContext& context)
 {
+  return this->Refine(scale, Vector<double>::Ones(this->Surface.Mesh.NumberOfFaces()), context);
+}
+
+QuadRound QuadRounds::RefineAgain(
+  const QuadRound& before, double scaleBefore, double scale, const ExecutionContext& context)
+{
+  const auto sameLength = [&](double ofFace)
+  { return ofFace < 1.0 ? std::min(ofFace * scaleBefore / scale, 1.0) : 1.0; };
+  QuadRound round = this->Refine(scale, before.Scales.unaryExpr(sameLength), context);
+  round.Number += before.Number;
+  return round;
+}
+
+QuadRound QuadRounds::Refine(double scale, Vector<double> scales, const ExecutionContext& context)
+{
   const TriangleMesh& mesh = this->Surface.Mesh;
   std::optional<QuadRound> best;
-  Vector<double> scales = Vector<double>::Ones(mesh.NumberOfFaces());
   const auto expected = [&] { return ExpectedOnFaces(mesh, scale * this->Lengths.OnFaces.cwiseProduct(scales)).sum(); };
   const double atFirst = expected();
   int idle = 0;
@@ -105,7 +120,8 @@ QuadRound QuadRounds::Refine(double scale, const ExecutionContext& context)
     {
       break;
     }
-    GrowMarks(mesh, scale * this->Lengths.Mean, areBad);
+    GrowMarks(
+      mesh, scale * this->Lengths.OnFaces.cwiseProduct(scales), areBad); // lengths vary no faster than quads can
     for (int face = 0; face < scales.size(); ++face)
     {
       scales[face] = areBad[face] ? std::max(0.5 * scales[face], SmallestScale) : scales[face];

@@ -52,6 +52,8 @@ public:
   /// Makes quads, with shorter edges where they do not fit, until they do.
   /// \param scale of all lengths.
   QuadRound Refine(double scale, const ExecutionContext& context);
+  /// The same, beginning with the lengths of a round before where edges were halved.
+  QuadRound RefineAgain(const QuadRound& before, double scaleBefore, double scale, const ExecutionContext& context);
 
   const FramedMesh& Surface;
   const QuadOptions& Options;
@@ -67,6 +69,7 @@ public:
 
 private:
   void FitLengths(const ExecutionContext& context);
+  QuadRound Refine(double scale, Vector<double> scales, const ExecutionContext& context);
   QuadRound Make(const Vector<double>& lengths, const ExecutionContext& context);
   /// Marks faces whose corners are far from quads as bad, and finds the tips.
   void MarkFar(

@@ -2,12 +2,14 @@
 
 #include "QuadExamples.h"
 #include "Quads/Crosses/AlignedEdges.h"
+#include "Quads/SurfaceQuads.h"
 #include "Support/Errors.h"
 #include "Support/LinesAlongEdges.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace dmg;
 using namespace dmg::test;
@@ -318,6 +320,34 @@ TEST(QuadMesh, HasEulerNumberOfHandles)
   {
     const QuadMesh mesh = QuadsOf(DoubleTorus(6), number);
     EXPECT_EQ(mesh.Report.EulerOfMesh, -2);
+  }
+}
+
+/// A torus with a neck, of a radius that is as much of the tube's as \p part.
+Surface TorusWithNeck(double part)
+{
+  Surface torus = IrregularTorus(120, 24, 3, 1.0, 0.3);
+  for (int point = 0; point < torus.V.rows(); ++point)
+  {
+    const double x = torus.V(point, 0), y = torus.V(point, 1), tube = std::hypot(x, y) - 1.0;
+    const double angle = std::pow(std::atan2(y, x) / Pi, 3) * Pi; // more points at the neck
+    const double radius = part + (1.0 - part) * (1.0 - std::exp(-10.0 * angle * angle));
+    const double ring = 1.0 + radius * tube;
+    torus.V.row(point) << ring * std::cos(angle), ring * std::sin(angle), radius * torus.V(point, 2);
+  }
+  return torus;
+}
+
+TEST(QuadMesh, KeepsHandlesWithNecksThatAreMuchThinnerThanQuadsByFewMoreQuads)
+{
+  for (const double part : { 1e-2, 1e-3 }) // necks of circumferences of 0.02 and 0.002
+  {
+    const FramedMesh surface(TorusWithNeck(part).Mesh());
+    const QuadMesh mesh = MakeQuadsAlongFeatures(surface, NumberOfQuads(1000.0)); // of edges of 0.1
+    ExpectGoodMesh(surface, mesh);
+    EXPECT_EQ(mesh.Report.EulerOfMesh, 0);
+    EXPECT_FALSE(mesh.Report.RefinedFaces.empty());
+    EXPECT_NEAR(static_cast<double>(mesh.Quads.size()), 1000.0, 150.0); // each halving of lengths takes a ring or two
   }
 }
 

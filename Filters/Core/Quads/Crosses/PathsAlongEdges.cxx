@@ -2,7 +2,9 @@
 
 #include "Analysis/EdgeDistances.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -71,20 +73,21 @@ std::vector<int> PathsAlongEdges::To(int vertex) const
   return path;
 }
 
-void GrowMarks(const TriangleMesh& mesh, double distance, std::vector<char>& isMarked)
+void GrowMarks(const TriangleMesh& mesh, const Vector<double>& distances, std::vector<char>& isMarked)
 {
-  std::vector<int> corners;
+  Vector<double> beyond =
+    Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity()); // the ends of marks
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    if (isMarked[TriangleMesh::FaceOf(h)])
+    if (const int face = TriangleMesh::FaceOf(h); isMarked[face])
     {
-      corners.push_back(mesh.Tail(h));
+      beyond[mesh.Tail(h)] = std::min(beyond[mesh.Tail(h)], -distances[face]);
     }
   }
-  const Vector<double> distances = DistancesAlongEdges(mesh, corners, distance);
+  beyond = DistancesAlongEdges(mesh, std::move(beyond), 0.0);
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
-    const auto isReached = [&](int k) { return distances[mesh.Tail(3 * face + k)] <= distance; };
+    const auto isReached = [&](int k) { return beyond[mesh.Tail(3 * face + k)] <= 0.0; };
     isMarked[face] = isReached(0) && isReached(1) && isReached(2);
   }
 }

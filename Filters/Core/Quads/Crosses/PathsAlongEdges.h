@@ -33,7 +33,8 @@ private:
 };
 
 /// Marks the faces all of whose corners are within a distance of a marked face, along edges.
-void GrowMarks(const TriangleMesh& mesh, double distance, std::vector<char>& isMarked);
+/// \param distances by face: how far marks go from it.
+void GrowMarks(const TriangleMesh& mesh, const Vector<double>& distances, std::vector<char>& isMarked);
 
 }
 
