@@ -15,9 +15,11 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from test_window import focus, is_5_11, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_flow, write_sphere, xdotool
+from test_window import focus, is_5_11, number_of_red, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_flow, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -68,6 +70,25 @@ class Window:
 
     def set(self, widget, value):
         return self.event(f"{PANEL}/{widget}", "set_string", value)
+
+    def check(self, widget, on):
+        return self.event(f"{PANEL}/{widget}", "set_boolean", "true" if on else "false")
+
+    def set_display(self, widget, value, command="set_string"):
+        return self.event(f"{PANEL.replace('PropertiesFrame', 'DisplayFrame')}/{widget}", command, value)
+
+    def show_advanced(self):
+        """The gear beside the search box."""
+        return self.event(f"{MAIN}/propertiesDock/propertiesPanel/SearchBox/AdvancedButton", "set_boolean", "true")
+
+    def colour_by(self, name):
+        return self.event(f"{MAIN}/variableToolbar/displayColor/Variables", "set_string", name)
+
+    def click_eye(self, row):
+        """The eye of a row of the pipeline, the server's being 0."""
+        self.actions += 1
+        xdotool("mousemove", 12, 174 + 22 * row)
+        xdotool("click", 1)
 
     def press(self, key, place):
         """A key, with the mouse over a place of the view."""
@@ -269,6 +290,76 @@ def draw_after_the_filter(window):
     assert taken(flow) == 2
 
 
+def place_singularities(window):
+    """Two points on the surface, and vectors that are singular there and nowhere else: four actions to a field, and six more."""
+    window.play("surface", window.apply(), window.choose_filter("DirectionalField"), window.set("NumberOfDirections/ComboBox", "Vectors"),
+                window.apply(), window.choose_source("PolyLineSource"))
+    before = window.actions - 1
+    window.press(1, (680, 420))
+    window.press(2, (780, 500))
+    field = window.play("field", window.select("/0/0/0"), window.set("PrescribedSingularities/1QComboBox0", "PolyLineSource1"), window.apply())
+    assert window.actions - before == 6, window.actions - before
+    line = window.play("line", window.look_at("/0/1"))
+    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+    assert list(indices[indices != 0]) == [1, 1], indices[indices != 0]
+    places = vtk_to_numpy(field.GetPoints().GetData())[indices != 0]
+    ends = vtk_to_numpy(line.GetPoints().GetData())
+    for end in ends:
+        assert np.linalg.norm(places - end, axis=1).min() < 0.1, (places, ends)
+
+
+def number_of_ink(image):
+    return (np.abs(image.astype(int) - (26, 51, 153)).max(axis=1) < 6).sum()
+
+
+def lay_a_decal(window):
+    """The recipe of the page Parallel Transport: an image around the point in front, and neither arrows nor circles."""
+    image = window.folder / f"{window.name}-image.png"
+    colours = np.full((64, 64, 3), 255, "u1")
+    colours[8:56, 8:56] = (255, 0, 0)
+    write_picture(image, colours)
+    window.play("map", window.apply(), window.choose_filter("ParallelTransport"), window.set("TextureSize/DoubleLineEdit0", "1"), window.apply(),
+                window.look_at("/0/0/0/0"))
+    assert number_of_ink(window.picture("map")) > 1000
+    for row in (4, 5):
+        window.click_eye(row)
+    window.play("decal", window.select("/0/0/0/0"), window.colour_by("Solid Color"), window.show_advanced(),
+                window.set_display("Texture/1pqTextureComboBox0", "Load ..."),
+                window.set_display("Texture/1pqTextureComboBox0/LoadTextureDialog", image, "filesSelected"),
+                window.set_display("RepeatTextures/CheckBox", "false", "set_boolean"))
+    picture = window.picture("decal").astype(int)
+    assert number_of_ink(picture) < 20
+    red = ((picture[:, 0] > 100) & (picture[:, 1:].max(axis=1) < 40)).sum()
+    assert 5000 < red < 60000, red
+
+
+def hatch(window):
+    """The recipe of the page Directional Fields, but for the file in the end: dark lines, without balls, on a surface in one tone."""
+    window.play("field", window.apply(), window.choose_filter("DirectionalField"), window.check("FollowCurvature/CheckBox", True),
+                window.show_advanced(), window.set("CurvatureWeight/DoubleLineEdit0", "0.3"),
+                window.set("LineDistance/DoubleRangeWidget/DoubleLineEdit", "0.009"), window.apply(), window.look_at("/0/0/0/0"))
+    with_balls = number_of_red(window.picture("with-balls"))
+    window.click_eye(5)
+    paper = [window.set_display(f"{name}/DoubleRangeWidget/DoubleLineEdit", value) for name, value in (("Ambient", "1"), ("Diffuse", "0"))]
+    lines = window.play("lines", window.select("/0/0/0/0"), window.colour_by("Solid Color"), *paper, window.look_at("/0/0/0/1"))
+    assert set(vtk_to_numpy(lines.GetCellData().GetArray("Branch"))) == {0, 1} and lines.GetNumberOfLines() > 100
+    picture = window.picture("hatching").astype(int)
+    assert number_of_ink(picture) > 5000
+    assert number_of_red(picture) < with_balls - 50
+    tones, counts = np.unique(picture[(np.ptp(picture, axis=1) < 40) & (picture.min(axis=1) > 180)], axis=0, return_counts=True)
+    assert counts.max() > 0.3 * counts.sum(), (tones[counts.argmax()], counts.max(), counts.sum())
+
+
+def write_picture(path, colours):
+    """Rows from below."""
+    image, writer = vtkImageData(), vtkPNGWriter()
+    image.SetDimensions(colours.shape[1], colours.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(colours.reshape(-1, 3), deep=True))
+    writer.SetInputData(image)
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
 def draw_fibres(window):
     """Measured vectors, the only ones of a file, are followed by four actions."""
     field = window.play("fibres", window.apply(), window.choose_other_filter("FibreOrientation"), window.apply())
@@ -343,9 +434,6 @@ def make_quads(window):
 
 def hide_the_field(window):
     """Where quads come from a field, its lines give way to them: nothing has the colour of ink."""
-    def number_of_ink(image):
-        return (np.abs(image.astype(int) - (26, 51, 153)).max(axis=1) < 6).sum()
-
     window.play("field", window.select("/0/0"), window.choose_filter("DirectionalField"), window.apply())
     assert number_of_ink(window.picture("field")) > 1000
     window.play("of field", window.choose_filter("QuadMesh"), window.apply())
@@ -353,10 +441,10 @@ def hide_the_field(window):
     window.play("former quads", window.select("/0/0/0"))
 
 
-TESTS = {"Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),
+TESTS = {"Decal": (write_bare_sphere, lay_a_decal), "Hatching": (write_bare_sphere, hatch), "Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),
          "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
-         "FilterFirst": (write_sphere, draw_after_the_filter)}
+         "Singularities": (write_bare_sphere, place_singularities), "FilterFirst": (write_sphere, draw_after_the_filter)}
 
 
 def main():
