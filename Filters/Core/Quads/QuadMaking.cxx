@@ -92,7 +92,7 @@ private:
       scale *= std::clamp(std::sqrt(this->RatioToWanted(last)), 0.5, 2.0);
       last =
         this->Rounds.RefineAgain(last, before, scale, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
-      if (last.Badness() <= best.Badness() && error(last) < error(best))
+      if (last.IsAsGoodAs(best) && error(last) < error(best))
       {
         best = last;
         this->Report.LengthScale = scale;

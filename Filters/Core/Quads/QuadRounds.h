@@ -39,6 +39,12 @@ struct QuadRound
 
   /// Less is better.
   std::tuple<int, int, int> Badness() const { return { this->Defects.Number, this->Defects.CutOff, this->Far }; }
+  /// Whether it has no more defects and parts cut off, and about as few vertices far away, if there are some: of longer edges more are.
+  bool IsAsGoodAs(const QuadRound& other) const
+  {
+    return this->Defects.Number <= other.Defects.Number && this->Defects.CutOff <= other.Defects.CutOff &&
+      4 * this->Far <= 5 * other.Far;
+  }
 };
 
 /// The map of a surface along a field, and quads from it for any lengths of edges.
