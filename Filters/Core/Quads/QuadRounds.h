@@ -47,6 +47,14 @@ struct QuadRound
   }
 };
 
+/// How far around a place that quads do not fit edges are halved: to the length of an edge there, which takes few quads, or to the mean length, which also
+/// helps where sides meet at a small angle.
+enum class Refinement
+{
+  Narrow,
+  Wide
+};
+
 /// The map of a surface along a field, and quads from it for any lengths of edges.
 class QuadRounds
 {
@@ -57,7 +65,7 @@ public:
 
   /// Makes quads, with shorter edges where they do not fit, until they do.
   /// \param scale of all lengths.
-  QuadRound Refine(double scale, const ExecutionContext& context);
+  QuadRound Refine(double scale, Refinement refinement, const ExecutionContext& context);
   /// The same, beginning with the lengths of a round before where edges were halved.
   QuadRound RefineAgain(const QuadRound& before, double scaleBefore, double scale, const ExecutionContext& context);
 
@@ -75,7 +83,7 @@ public:
 
 private:
   void FitLengths(const ExecutionContext& context);
-  QuadRound Refine(double scale, Vector<double> scales, const ExecutionContext& context);
+  QuadRound Refine(double scale, Refinement refinement, Vector<double> scales, const ExecutionContext& context);
   QuadRound Make(const Vector<double>& lengths, const ExecutionContext& context);
   /// Marks faces whose corners are far from quads as bad, and finds the tips.
   void MarkFar(
