@@ -46,7 +46,15 @@ public:
 
   QuadMesh Make(const ExecutionContext& context)
   {
-    QuadRound best = this->Rounds.Refine(1.0, PartOfContext(context, 0.0, 0.4));
+    QuadRound best = this->Rounds.Refine(1.0, Refinement::Narrow, PartOfContext(context, 0.0, 0.3));
+    if (best.Defects.Number > 0)
+    {
+      QuadRound wide = this->Rounds.Refine(1.0, Refinement::Wide, PartOfContext(context, 0.3, 0.4));
+      if (wide.Badness() < best.Badness())
+      {
+        best = std::move(wide);
+      }
+    }
     if (best.Defects.Number > 0 && !this->CanSplit(best))
     {
       this->TryShorterEdges(best, PartOfContext(context, 0.4, 0.8));
@@ -70,7 +78,8 @@ private:
       {
         return;
       }
-      QuadRound made = this->Rounds.Refine(scale, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
+      QuadRound made =
+        this->Rounds.Refine(scale, Refinement::Wide, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
       if (made.Badness() < best.Badness())
       {
         best = std::move(made);
@@ -92,7 +101,7 @@ private:
       scale *= std::clamp(std::sqrt(this->RatioToWanted(last)), 0.5, 2.0);
       last =
         this->Rounds.RefineAgain(last, before, scale, PartOfContext(context, PartOf(attempt), PartOf(attempt + 1)));
-      if (last.Badness() <= best.Badness() && error(last) < error(best))
+      if (last.IsAsGoodAs(best) && error(last) < error(best))
       {
         best = last;
         this->Report.LengthScale = scale;

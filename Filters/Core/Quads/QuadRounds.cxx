@@ -18,7 +18,7 @@ namespace
 {
 
 /// Necks of scans are as thin as a thousandth of a quad, and each round halves edges once.
-constexpr int MostRounds = 14;
+constexpr int MostRounds = 14, MostWideRounds = 6;
 /// Rounds for what may be missing, though the mesh is good, end after so many that are no better.
 constexpr int MostIdleRounds = 2;
 /// Singularities are split at this distance, in edges of quads.
@@ -79,9 +79,9 @@ void QuadRounds::FitLengths(const ExecutionContext& context)
   this->Lengths.Mean *= this->Fit;
 }
 
-QuadRound QuadRounds::Refine(double scale, const ExecutionContext& context)
+QuadRound QuadRounds::Refine(double scale, Refinement refinement, const ExecutionContext& context)
 {
-  return this->Refine(scale, Vector<double>::Ones(this->Surface.Mesh.NumberOfFaces()), context);
+  return this->Refine(scale, refinement, Vector<double>::Ones(this->Surface.Mesh.NumberOfFaces()), context);
 }
 
 QuadRound QuadRounds::RefineAgain(
@@ -89,21 +89,24 @@ QuadRound QuadRounds::RefineAgain(
 {
   const auto sameLength = [&](double ofFace)
   { return ofFace < 1.0 ? std::min(ofFace * scaleBefore / scale, 1.0) : 1.0; };
-  QuadRound round = this->Refine(scale, before.Scales.unaryExpr(sameLength), context);
+  QuadRound round = this->Refine(scale, Refinement::Narrow, before.Scales.unaryExpr(sameLength), context);
   round.Number += before.Number;
   return round;
 }
 
-QuadRound QuadRounds::Refine(double scale, Vector<double> scales, const ExecutionContext& context)
+QuadRound QuadRounds::Refine(
+  double scale, Refinement refinement, Vector<double> scales, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = this->Surface.Mesh;
+  const bool isWide = refinement == Refinement::Wide;
+  const int rounds = isWide ? MostWideRounds : MostRounds;
   std::optional<QuadRound> best;
   const auto expected = [&] { return ExpectedOnFaces(mesh, scale * this->Lengths.OnFaces.cwiseProduct(scales)).sum(); };
   const double atFirst = expected();
   int idle = 0;
-  for (int number = 0; number <= MostRounds; ++number)
+  for (int number = 0; number <= rounds; ++number)
   {
-    const auto part = [number](int k) { return static_cast<double>(number + k) / (MostRounds + 1); };
+    const auto part = [number, rounds](int k) { return static_cast<double>(number + k) / (rounds + 1); };
     QuadRound made =
       this->Make(scale * this->Lengths.OnFaces.cwiseProduct(scales), PartOfContext(context, part(0), part(1)));
     made.Scales = scales;
@@ -120,8 +123,8 @@ QuadRound QuadRounds::Refine(double scale, Vector<double> scales, const Executio
     {
       break;
     }
-    GrowMarks(
-      mesh, scale * this->Lengths.OnFaces.cwiseProduct(scales), areBad); // lengths vary no faster than quads can
+    const Vector<double> lengths = scale * this->Lengths.OnFaces.cwiseProduct(scales);
+    GrowMarks(mesh, isWide ? Vector<double>::Constant(lengths.size(), scale * this->Lengths.Mean) : lengths, areBad);
     for (int face = 0; face < scales.size(); ++face)
     {
       scales[face] = areBad[face] ? std::max(0.5 * scales[face], SmallestScale) : scales[face];

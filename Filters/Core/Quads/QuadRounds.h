@@ -39,6 +39,20 @@ struct QuadRound
 
   /// Less is better.
   std::tuple<int, int, int> Badness() const { return { this->Defects.Number, this->Defects.CutOff, this->Far }; }
+  /// Whether it has no more defects and parts cut off, and about as few vertices far away, if there are some: of longer edges more are.
+  bool IsAsGoodAs(const QuadRound& other) const
+  {
+    return this->Defects.Number <= other.Defects.Number && this->Defects.CutOff <= other.Defects.CutOff &&
+      4 * this->Far <= 5 * other.Far;
+  }
+};
+
+/// How far around a place that quads do not fit edges are halved: to the length of an edge there, which takes few quads, or to the mean length, which also
+/// helps where sides meet at a small angle.
+enum class Refinement
+{
+  Narrow,
+  Wide
 };
 
 /// The map of a surface along a field, and quads from it for any lengths of edges.
@@ -51,7 +65,7 @@ public:
 
   /// Makes quads, with shorter edges where they do not fit, until they do.
   /// \param scale of all lengths.
-  QuadRound Refine(double scale, const ExecutionContext& context);
+  QuadRound Refine(double scale, Refinement refinement, const ExecutionContext& context);
   /// The same, beginning with the lengths of a round before where edges were halved.
   QuadRound RefineAgain(const QuadRound& before, double scaleBefore, double scale, const ExecutionContext& context);
 
@@ -69,7 +83,7 @@ public:
 
 private:
   void FitLengths(const ExecutionContext& context);
-  QuadRound Refine(double scale, Vector<double> scales, const ExecutionContext& context);
+  QuadRound Refine(double scale, Refinement refinement, Vector<double> scales, const ExecutionContext& context);
   QuadRound Make(const Vector<double>& lengths, const ExecutionContext& context);
   /// Marks faces whose corners are far from quads as bad, and finds the tips.
   void MarkFar(
