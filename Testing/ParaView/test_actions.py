@@ -16,7 +16,8 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkDiskSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from test_window import focus, is_5_11, number_of_red, pixels, read, take_picture, toolbar, write, write_bare_sphere, write_flow, write_sphere, xdotool
@@ -360,6 +361,35 @@ def write_picture(path, colours):
     writer.Write()
 
 
+def write_annulus(path):
+    """Between the radii 1/2 and 1, turning about the middle: 3/8 flow through each radius."""
+    source, triangles = vtkDiskSource(), vtkTriangleFilter()
+    source.SetInnerRadius(0.5)
+    source.SetOuterRadius(1)
+    source.SetRadialResolution(20)
+    source.SetCircumferentialResolution(80)
+    triangles.SetInputConnection(source.GetOutputPort())
+    triangles.Update()
+    x, y, z = vtk_to_numpy(triangles.GetOutput().GetPoints().GetData()).T
+    flow = numpy_to_vtk(np.stack([-y, x, z], axis=1), deep=True)
+    flow.SetName("Flow")
+    triangles.GetOutput().GetPointData().SetVectors(flow)
+    write(path, triangles.GetOutput())
+
+
+def choose_reference(window):
+    """Transports against one boundary, then against the other, by two actions."""
+    def transports(what, *events):
+        boundaries = window.play(what, *events, window.look_at("/0/0/0/2"))
+        return vtk_to_numpy(boundaries.GetCellData().GetArray("BoundaryTransport"))
+
+    first = transports("first", window.apply(), window.choose_filter("HodgeDecomposition"), window.apply())
+    former = int(np.abs(first).argmin())
+    second = transports("second", window.select("/0/0/0"), window.set("ReferenceBoundary/LineEdit0", str(1 - former)), window.apply())
+    assert first[former] == 0 and second[1 - former] == 0, (first, second)
+    assert np.allclose(second[former], -first[1 - former]) and abs(abs(second[former]) - 0.375) < 0.02, (first, second)
+
+
 def draw_fibres(window):
     """Measured vectors, the only ones of a file, are followed by four actions."""
     field = window.play("fibres", window.apply(), window.choose_other_filter("FibreOrientation"), window.apply())
@@ -441,7 +471,7 @@ def hide_the_field(window):
     window.play("former quads", window.select("/0/0/0"))
 
 
-TESTS = {"Decal": (write_bare_sphere, lay_a_decal), "Hatching": (write_bare_sphere, hatch), "Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),
+TESTS = {"Decal": (write_bare_sphere, lay_a_decal), "Hatching": (write_bare_sphere, hatch), "Reference": (write_annulus, choose_reference), "Quads": (write_bare_sphere, make_quads), "Fibres": (write_flow, draw_fibres),
          "Export": (write_sphere, export_field), "Eigenvectors": (write_eigenvectors, draw_eigenvectors),
          "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "Singularities": (write_bare_sphere, place_singularities), "FilterFirst": (write_sphere, draw_after_the_filter)}
