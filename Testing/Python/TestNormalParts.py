@@ -37,12 +37,14 @@ class NormalParts(unittest.TestCase):
         """The sphere with directions to the east, a rotation and two sources, and a part along the normal."""
         places = POINTS if on_points else CENTRES
         normals = places / np.linalg.norm(places, axis=1)[:, None]
+        facets = normals if on_points else np.cross(*(POINTS[TRIANGLES[:, k]] - POINTS[TRIANGLES[:, 0]] for k in (1, 2)))
+        facets = facets / np.linalg.norm(facets, axis=1)[:, None]  # cells have their own normals, as pressure on them has
         east = np.cross([0, 0, 1], normals)
         data = surface(POINTS, TRIANGLES)
         attributes = data.GetPointData() if on_points else data.GetCellData()
-        directions = east / np.linalg.norm(east, axis=1)[:, None] + part * normals
+        directions = east / np.linalg.norm(east, axis=1)[:, None] + part * facets
         add(attributes, "east", directions)
-        add(attributes, "rotation", np.cross(AXIS, normals) + part * normals)
+        add(attributes, "rotation", np.cross(AXIS, normals) + part * facets)
         sources = np.zeros_like(directions)
         sources[[3, len(sources) // 2]] = directions[[3, len(sources) // 2]]
         add(attributes, "sources", sources)

@@ -18,8 +18,7 @@ namespace dmg
 /// Directions that are not finite, zero or perpendicular to the surface are left out. Of tensors counts the direction of the
 /// largest eigenvalue in the tangent plane.
 ///
-/// Parts of vectors of cells along the normal are taken out here (WithoutNormalPartOfCell), those of points by ProblemConstraints. Where the surface is
-/// the piece of a rank, cells at its seams are at a boundary, and have their own normals.
+/// Parts of vectors of cells along the normals of the cells are taken out here (WithoutNormalPartOfCell), those of points by ProblemConstraints.
 ///
 /// \param unusable counts what is left out.
 /// \return empty where nothing is chosen.

@@ -91,8 +91,12 @@ vtkIdType PointAt(vtkIdList* points, int vertex, const SurfaceRelation& relation
 
 double VectorsOnSurface::TakeOutNormalParts(const TriangleMesh& mesh, const SurfaceRelation& relation)
 {
-  SplitVectors split = this->AreAtVertices ? WithoutNormalParts(mesh, this->Values, this->AtCorners)
-                                           : WithoutNormalPartsOfCells(mesh, relation, this->Values);
+  if (!this->AreAtVertices)
+  {
+    this->Values = WithoutNormalPartsOfCells(mesh, relation, this->Values);
+    return 0.0;
+  }
+  SplitVectors split = WithoutNormalParts(mesh, this->Values, this->AtCorners);
   this->Values = std::move(split.Tangential);
   this->AtCorners = std::move(split.AtCorners);
   return split.RatioAtRim;

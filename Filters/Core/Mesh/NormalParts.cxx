@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace dmg
 {
@@ -43,101 +42,31 @@ Vector3 PerpendicularTo(const Vector3& normal, const Vector3& vector)
   return tangential.stableNorm() > SmallestTangentialPart * vector.stableNorm() ? tangential : Vector3(Vector3::Zero());
 }
 
-/// A cell, and the normals at its middle or at a place in one of its faces.
-class PlaneOfCell
+/// The normal at a place in a face: that of its corners, interpolated; its own at the boundary and at sharp edges.
+Vector3 NormalAt(const TriangleMesh& mesh, int face, const Vector3& place)
 {
-public:
-  PlaneOfCell(const TriangleMesh& mesh, const SurfaceRelation& relation, int face)
-    : Own(AreaOf(mesh, relation.FacesOf(relation.CellOf(face))).stableNormalized())
-    , Mesh(mesh)
+  const Vector3 own = mesh.FaceAreaVector(face).stableNormalized();
+  Vector3 sum = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
   {
-    for (const int part : relation.FacesOf(relation.CellOf(face)))
+    const int vertex = mesh.FaceCorners()(face, k);
+    const Vector3 normal = NormalOfVertex(mesh, vertex);
+    if (mesh.IsBoundaryVertex(vertex) || !(LeastCosine(mesh, vertex, normal) > SharpCosine))
     {
-      this->Corners.insert(
-        this->Corners.end(), mesh.FaceCorners().row(part).begin(), mesh.FaceCorners().row(part).end());
+      return own;
     }
-    std::sort(this->Corners.begin(), this->Corners.end());
-    this->Corners.erase(std::unique(this->Corners.begin(), this->Corners.end()), this->Corners.end());
-    this->Weights.assign(this->Corners.size(), 1.0);
+    const Vector3 a = mesh.Position(mesh.FaceCorners()(face, (k + 1) % 3)) - place;
+    const Vector3 b = mesh.Position(mesh.FaceCorners()(face, (k + 2) % 3)) - place;
+    sum += std::max(0.0, a.cross(b).dot(own)) * normal;
   }
+  return sum.stableNormalized();
+}
 
-  /// At a place in a face alone.
-  PlaneOfCell(const TriangleMesh& mesh, int face, const Vector3& place)
-    : Own(mesh.FaceAreaVector(face).stableNormalized())
-    , Mesh(mesh)
-    , Corners(mesh.FaceCorners().row(face).begin(), mesh.FaceCorners().row(face).end())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 a = mesh.Position(this->Corners[(k + 1) % 3]) - place;
-      const Vector3 b = mesh.Position(this->Corners[(k + 2) % 3]) - place;
-      this->Weights.push_back(std::max(0.0, a.cross(b).dot(this->Own)));
-    }
-  }
-
-  Vector3 TangentialPart(const Vector3& vector) const
-  {
-    const bool stays = !vector.allFinite() || !this->Own.allFinite() || IsAcross(this->Own, vector);
-    return stays ? vector : PerpendicularTo(this->NormalAtPlace(), vector);
-  }
-
-  bool IsTriangleAtRim() const { return this->Corners.size() == 3 && this->IsAtRim(); }
-
-  bool Bends() const
-  {
-    return std::any_of(this->Corners.begin(), this->Corners.end(),
-      [this](int vertex)
-      {
-        const double cosine = LeastCosine(this->Mesh, vertex, NormalOfVertex(this->Mesh, vertex));
-        return cosine > SharpCosine && cosine < FlatCosine;
-      });
-  }
-
-  const Vector3 Own; ///< its normal, the mean of its faces
-
-private:
-  static Vector3 AreaOf(const TriangleMesh& mesh, const ElementRow& faces)
-  {
-    Vector3 area = Vector3::Zero();
-    for (const int face : faces)
-    {
-      area += mesh.FaceAreaVector(face);
-    }
-    return area;
-  }
-
-  bool IsAtRim() const
-  {
-    return std::any_of(
-      this->Corners.begin(), this->Corners.end(), [this](int vertex) { return this->Mesh.IsBoundaryVertex(vertex); });
-  }
-
-  Vector3 NormalAtPlace() const
-  {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t k = 0; k < this->Corners.size(); ++k)
-    {
-      const int vertex = this->Corners[k];
-      const Vector3 normal = NormalOfVertex(this->Mesh, vertex);
-      if (this->Mesh.IsBoundaryVertex(vertex) || !(LeastCosine(this->Mesh, vertex, normal) > SharpCosine))
-      {
-        return this->Own;
-      }
-      sum += this->Weights[k] * normal;
-    }
-    return sum.stableNormalized();
-  }
-
-  const TriangleMesh& Mesh;
-  std::vector<int> Corners;
-  std::vector<double> Weights; ///< of their normals
-};
-
-/// The plane at the place where a cell's vector stands.
-PlaneOfCell PlaneOf(const TriangleMesh& mesh, const SurfaceRelation& relation, int face)
+/// \param own the normal of the cell or face, in whose plane vectors stay as they are.
+Vector3 TangentialPart(const Vector3& own, const Vector3& normal, const Vector3& vector)
 {
-  const Vector3* const centre = relation.CentreOf(relation.CellOf(face)); // where a corner counts twice
-  return centre ? PlaneOfCell(mesh, face, *centre) : PlaneOfCell(mesh, relation, face);
+  const bool stays = !vector.allFinite() || !normal.allFinite() || !own.allFinite() || IsAcross(own, vector);
+  return stays ? vector : PerpendicularTo(normal, vector);
 }
 
 /// Sums of squares at a boundary that bends.
@@ -230,30 +159,29 @@ SplitVectors WithoutNormalParts(const TriangleMesh& mesh, const Points& vectors,
 Vector3 WithoutNormalPartOfCell(
   const TriangleMesh& mesh, const SurfaceRelation& relation, int face, const Vector3& vector)
 {
-  return PlaneOf(mesh, relation, face).TangentialPart(vector);
+  Vector3 area = Vector3::Zero();
+  for (const int part : relation.FacesOf(relation.CellOf(face)))
+  {
+    area += mesh.FaceAreaVector(part);
+  }
+  const Vector3 own = area.stableNormalized();
+  return TangentialPart(own, own, vector);
 }
 
 Vector3 WithoutNormalPartAt(const TriangleMesh& mesh, int face, const Vector3& place, const Vector3& vector)
 {
-  return PlaneOfCell(mesh, face, place).TangentialPart(vector);
+  const Vector3 own = mesh.FaceAreaVector(face).stableNormalized();
+  return TangentialPart(own, NormalAt(mesh, face, place), vector);
 }
 
-SplitVectors WithoutNormalPartsOfCells(const TriangleMesh& mesh, const SurfaceRelation& relation, const Points& vectors)
+Points WithoutNormalPartsOfCells(const TriangleMesh& mesh, const SurfaceRelation& relation, const Points& vectors)
 {
-  SplitVectors split{ vectors, {} };
-  SharesAtRim shares;
+  Points tangential = vectors;
   for (int face = 0; face < vectors.rows(); ++face)
   {
-    const PlaneOfCell plane = PlaneOf(mesh, relation, face);
-    const Vector3 vector = vectors.row(face).transpose(), tangential = plane.TangentialPart(vector);
-    split.Tangential.row(face) = tangential.transpose();
-    if (plane.IsTriangleAtRim() && plane.Bends())
-    {
-      shares.Add(vector.dot(plane.Own), tangential);
-    }
+    tangential.row(face) = WithoutNormalPartOfCell(mesh, relation, face, vectors.row(face).transpose()).transpose();
   }
-  split.RatioAtRim = shares.Ratio();
-  return split;
+  return tangential;
 }
 
 }

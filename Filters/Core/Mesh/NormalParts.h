@@ -26,7 +26,7 @@ struct SplitVectors
 {
   Points Tangential; ///< #V x 3
   Points AtCorners;  ///< the same for vectors by corner; empty where there are none
-  /// At boundary vertices, or triangles there, where the surface bends, the part along the normal over the tangential one, roots of mean squares; 0 where there are none.
+  /// At boundary vertices where the surface bends, the part along the normal over the tangential one, roots of mean squares; 0 where there are none.
   /// There the normal is known on one side alone, and derivatives of the tangential part are off by about half of the normal part times the
   /// curvature, at any resolution.
   double RatioAtRim = 0.0;
@@ -39,20 +39,18 @@ struct SplitVectors
 /// Cost: linear.
 SplitVectors WithoutNormalParts(const TriangleMesh& mesh, const Points& vectors, const Points& atCorners);
 
-/// A vector of the cell of a face without its part along the surface's normal at the middle of the cell. This normal is the mean of those of the
-/// corners, of second order where those are. A triangle's own normal is of first order: a part along the normal would leave a tangential one of its size
-/// times the length of a side, whose derivatives do not fall with the size of the cells. Cells at the boundary and at sharp edges, as above, have their
-/// own normal, the mean of their triangles. A vector in the plane of its cell stays as it is, to the last bit. Zero where less than 1e-6 is left.
+/// A vector of the cell of a face without its part along the normal of the cell, the mean of its triangles, as tractions on facets have it. A part along
+/// the normal of a smooth surface that the cells approximate leaves a tangential one of its size times the length of a side. A vector in the plane of
+/// its cell stays as it is, to the last bit. Zero where less than 1e-6 is left.
 Vector3 WithoutNormalPartOfCell(
   const TriangleMesh& mesh, const SurfaceRelation& relation, int face, const Vector3& vector);
 
-/// The same at a place in a face, as a vector of a guide stands at: the normal is that of the corners, interpolated.
+/// A vector at a place in a face, as one of a guide, without its part along the normal of the corners, interpolated; in faces at the boundary and at sharp
+/// edges along the face's own. A vector in the plane of its face stays as it is.
 Vector3 WithoutNormalPartAt(const TriangleMesh& mesh, int face, const Vector3& place, const Vector3& vector);
 
-/// That of WithoutNormalPartOfCell for the vectors of all cells, with RatioAtRim of triangles at the boundary.
-/// \param vectors #F x 3: row f is that of the cell of face f. Cost: linear.
-SplitVectors WithoutNormalPartsOfCells(
-  const TriangleMesh& mesh, const SurfaceRelation& relation, const Points& vectors);
+/// WithoutNormalPartOfCell for all cells. \param vectors #F x 3: row f is that of the cell of face f. Cost: linear.
+Points WithoutNormalPartsOfCells(const TriangleMesh& mesh, const SurfaceRelation& relation, const Points& vectors);
 
 }
 
