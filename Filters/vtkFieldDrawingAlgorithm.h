@@ -5,7 +5,7 @@
  * @section vtkFieldDrawingAlgorithm-Inputs Inputs
  *
  * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it, with the field as vectors on cells or points. The tangential
- * part of a vector counts, whatever its part along the normal is; its length is the magnitude of the field, and where it is zero there is no direction. The array is
+ * part of a vector counts, on cells that without the part along the normal of its cell; its length is the magnitude of the field, and where it is zero there is no direction. The array is
  * chosen by
  *
  *   SetInputArrayToProcess(0, 0, 0, association, name).

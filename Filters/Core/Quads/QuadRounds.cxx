@@ -17,7 +17,7 @@ namespace dmg
 namespace
 {
 
-/// Necks of scans are as thin as a thousandth of a quad, and each round halves edges once.
+/// Necks of scans are as thin as a five-hundredth of a quad, and each round halves edges once.
 constexpr int MostRounds = 14, MostWideRounds = 6;
 /// Rounds for what may be missing, though the mesh is good, end after so many that are no better.
 constexpr int MostIdleRounds = 2;

@@ -47,8 +47,8 @@ struct QuadRound
   }
 };
 
-/// How far around a place that quads do not fit edges are halved: to the length of an edge there, which takes few quads, or to the mean length, which also
-/// helps where sides meet at a small angle.
+/// Edges are halved around a place that quads do not fit: as far as an edge is long there, which takes few quads, or as on the mean, which also helps where
+/// sides meet at a small angle.
 enum class Refinement
 {
   Narrow,
