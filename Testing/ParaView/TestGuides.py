@@ -165,11 +165,12 @@ ERRORS = {
 
 
 def solver_of(source, array, elements="POINTS"):
-    icosahedron = vtkPlatonicSolidSource()
-    icosahedron.SetSolidTypeToIcosahedron()
-    icosahedron.Update()
-    icosahedron.GetOutput().GetCellData().Initialize()  # an array without a name
-    surface = simple.LoopSubdivision(Input=producer(icosahedron.GetOutput()), NumberofSubdivisions=3)  # of even triangles
+    octahedron = vtkPlatonicSolidSource()
+    octahedron.SetSolidTypeToOctahedron()
+    octahedron.Update()
+    octahedron.GetOutput().GetCellData().Initialize()  # an array without a name
+    # Even triangles on flat sides with sharp edges between them, so that each triangle has the normals of its corners.
+    surface = simple.Subdivide(Input=producer(octahedron.GetOutput()), NumberofSubdivisions=3)
     solver = simple.HarmonicFieldSolver(Input=surface, Guides=source, Discretisation="Power Field on Faces",
                                         NumberOfDirections=1, ConstraintType="Hard",
                                         MaximumDistance=1000)  # shows the triangles that a guide reaches
