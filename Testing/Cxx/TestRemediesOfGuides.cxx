@@ -40,7 +40,12 @@ const Act AddVectorsToGuide = [](Scene& scene)
   scene.Solver->SetInputConnection(1, calculator->GetOutputPort());
 };
 const Act VectorsNotMarked = [](Scene& scene) { scene.Guide()->GetPointData()->SetActiveVectors(nullptr); };
-const Act AgainstGiven = [](Scene& scene) { scene.Follow({ scene.Centre() }, { -1.0, -0.5, 0.25 }); };
+// In the plane of the triangle, as parts along normals of guides and of cells are not alike.
+const Act AgainstGiven = [](Scene& scene)
+{
+  const Vector3 given(1.0, 0.5, -0.25);
+  scene.Follow({ scene.Centre() }, given.dot(scene.Normal()) * scene.Normal() - given);
+};
 const Act BrokenLine = [](Scene& scene)
 {
   LineAlongSide(scene);
